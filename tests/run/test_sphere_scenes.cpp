@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "riprap/run/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
@@ -120,19 +123,76 @@ TEST(SphereScenes, ADefaultModulusLetsABlockSinkInByATenThousandthAtRest) {
     double overlap = 0;
     const double modulus = modulus_of(head(1, "[0, 0, -9.81]", false) + floor + cube, &overlap);
     EXPECT_NEAR(overlap, 1e-4, 1e-9);
-    // m g/3 = 4/3 E* sqrt(1/6) (1e-4)^(3/2), E* = E/(2 (1 - 0.3^2))
-    EXPECT_NEAR(modulus, 2 * 0.91 * 0.75 * 2500 * 9.81 / 3 / std::sqrt(1.0 / 6) * 1e6, 1e-6 * modulus);
+    // On one edge, whose samples count by 1/4, 1/2, 1/2 and 1/4: m g/1.5 = 4/3 E* sqrt(1/6) (1e-4)^(3/2), E* = E/(2 (1
+    // - 0.3^2))
+    EXPECT_NEAR(modulus, 2 * 0.91 * 0.75 * 2500 * 9.81 / 1.5 / std::sqrt(1.0 / 6) * 1e6, 1e-6 * modulus);
     EXPECT_EQ(modulus_of(head(1, "[0, 0, -9.81]", false, "youngs_modulus = 3e8") + floor + cube), 3e8);
 }
 
 TEST(SphereScenes, ADefaultModulusLetsABlockSinkInByAHundredthInItsImpact) {
     const double modulus = modulus_of(head(1, "[0, 0, 0]", false) + body("cube", "cube = 1", "velocity = [0, 0, -8]"));
-    // m v^2/2 = 8/15 E* sqrt(1/6) (0.01)^(5/2)
-    EXPECT_NEAR(modulus, 2 * 0.91 * 15.0 / 16 * 2500 * 64 / std::sqrt(1.0 / 6) * 1e5, 1e-6 * modulus);
+    // On one corner, whose sample counts by a quarter: m v^2/2 = 1/4 8/15 E* sqrt(1/6) (0.01)^(5/2)
+    EXPECT_NEAR(modulus, 4 * 2 * 0.91 * 15.0 / 16 * 2500 * 64 / std::sqrt(1.0 / 6) * 1e5, 1e-6 * modulus);
 }
 
 TEST(SphereScenes, ADefaultModulusIsNoSofterThanTenMegapascals) {
     EXPECT_EQ(modulus_of(head(1, "[0, 0, 0]", false) + body("cube", "cube = 1", "")), 1e7);
+}
+
+/// Way along x of a block of 0.7 x 0.3 (x 0.5) m in 0.3 s without friction, under a pull of `share` of what cohesion
+/// holds on its base [m].
+double way_with_cohesion(double share, bool is_planar, const std::string& floor, const std::string& turn = "") {
+    constexpr double cohesion = 4000, density = 2500, height = 0.3;
+    const double pull = share * cohesion / (density * height);
+    const std::string gravity = is_planar ? fmt::format("[{}, -9.81]", pull) : fmt::format("[{}, 0, -9.81]", pull);
+    std::string text = head(0.3, gravity, is_planar) + floor +
+                       body("block", is_planar ? "box = [0.7, 0.3]" : "box = [0.7, 0.5, 0.3]",
+                            (is_planar ? "position = [0, 0.15]" : "position = [0, 0, 0.15]") + turn);
+    text.insert(text.find("friction_coefficient"), fmt::format("cohesion = {}\n", cohesion));
+    return end_of(text).position.x;
+}
+
+TEST(SphereScenes, CohesionHoldsASampledBlockUpToItsStrengthTimesItsBase) {
+    const std::string line = body("floor", "half_space = { normal = [0, 1] }", "fixed = true");
+    const std::string slab = body("floor", "box = [3, 1]", "fixed = true\nposition = [0.2, -0.5]");
+    const std::string plane = body("floor", "half_space = { normal = [0, 0, 1] }", "fixed = true");
+    const std::string turned = "\norientation = { axis_angle = { axis = [0, 0, 1], angle_deg = 37 } }";
+    const double free = 0.5 * 0.1 * 4000 / (2500 * 0.3) * 0.09;  // under what is above the strength
+    for (const auto& [is_planar, floor, turn] : {std::tuple{true, line, std::string()},
+                                                 {true, slab, std::string()},
+                                                 {false, plane, std::string()},
+                                                 {false, plane, turned}}) {
+        EXPECT_LT(std::abs(way_with_cohesion(0.95, is_planar, floor, turn)), 1e-4) << floor << turn;
+        EXPECT_NEAR(way_with_cohesion(1.1, is_planar, floor, turn), free, 0.05 * free) << floor << turn;
+    }
+}
+
+TEST(SphereScenes, ABlockAtRestTakesTheStepsOfItsContactsAndAFallingOneThoseOfItsImpact) {
+    const std::string floor = body("floor", "half_space = { normal = [0, 1] }", "fixed = true");
+    const auto steps_of = [&](double height, double end) {
+        Simulation simulation(scene::read_case_text(
+            head(end, "[0, -9.81]", true, "youngs_modulus = 1e9") + floor +
+                body("block", "box = [0.3, 0.3]", fmt::format("position = [0, {}]", 0.15 + height)),
+            "case.toml", "."));
+        std::vector<double> steps;
+        while (simulation.steps_left() > 0) {
+            steps.push_back(simulation.next_dt());
+            simulation.step(sim::Measure::flow);
+        }
+        return steps;
+    };
+    // Three cells of 0.1 m along the base, each a spring on R = 0.05 m: m g = 3 4/3 E* sqrt(R) d^(3/2).
+    const double mass = 2500 * 0.09, inertia = mass * 0.09 / 6, modulus = 1e9 / (2 * 0.91), root = std::sqrt(0.05);
+    const double overlap = std::pow(mass * 9.81 / (4 * modulus * root), 2.0 / 3);
+    const double compliance = 1 / mass + 0.15 * 0.15 / inertia;  // of all, and with their arms along the base
+    const double spring = 2 * modulus * std::sqrt(0.05 * overlap) *
+                          (3 * compliance + (2 * 0.05 * 0.05 + 2 * 0.5 * 0.15 * 0.15) / inertia);
+    EXPECT_NEAR(steps_of(0, 1).back(), 0.15 * 2 / std::sqrt(spring), 0.05 * 0.3 / std::sqrt(spring));
+    // A fall of 0.1 m: an impact at 1.4 m/s on three springs takes fifty steps.
+    const std::vector<double> falling = steps_of(0.1, 0.2);
+    const double impact = 2.868 * std::pow(mass / (3 * modulus * root * std::sqrt(std::sqrt(2 * 9.81 * 0.1))), 0.4);
+    EXPECT_LT(*std::ranges::min_element(falling), impact / 50);
+    EXPECT_GT(*std::ranges::min_element(falling), impact / 200);
 }
 
 }  // namespace

@@ -88,24 +88,30 @@ std::vector<std::pair<std::int32_t, std::int32_t>> neighbours(const geometry::Co
     return pairs;
 }
 
-/// Calls take(t) with equal steps of a segment, `spacing` at most, both ends with them.
+/// Calls take(t, length) with equal steps of a segment, `spacing` at most, both ends with them, and the length of the
+/// segment that is nearest to t.
 template <class Take>
 void step_along(double begin, double end, double spacing, const Take& take) {
     const auto count = static_cast<std::int64_t>(std::ceil((end - begin) / spacing - 1e-9));
+    if (count <= 0) {
+        take(0.5 * (begin + end), end - begin);
+        return;
+    }
+    const double step = (end - begin) / static_cast<double>(count);
     for (std::int64_t i = 0; i <= count; ++i) {
-        take(count > 0 ? begin + (end - begin) * static_cast<double>(i) / static_cast<double>(count)
-                       : 0.5 * (begin + end));
+        take(begin + step * static_cast<double>(i), i == 0 || i == count ? 0.5 * step : step);
     }
 }
 
 /// Leaves of places that are the same but for round-off the first.
-void leave_out_copies(std::vector<body::ShapeSphere>& samples, double within) {
-    std::ranges::stable_sort(samples, {}, [](const body::ShapeSphere& s) { return s.centre.x; });
-    std::vector<body::ShapeSphere> kept;
-    for (const body::ShapeSphere& sample : samples) {
+void leave_out_copies(std::vector<SurfaceSample>& samples, double within) {
+    std::ranges::stable_sort(samples, {}, [](const SurfaceSample& s) { return s.sphere.centre.x; });
+    std::vector<SurfaceSample> kept;
+    for (const SurfaceSample& sample : samples) {
+        const Vec3& centre = sample.sphere.centre;
         bool is_copy = false;
-        for (std::size_t i = kept.size(); i > 0 && !is_copy && kept[i - 1].centre.x > sample.centre.x - within; --i) {
-            is_copy = norm(kept[i - 1].centre - sample.centre) < within;
+        for (std::size_t i = kept.size(); i > 0 && !is_copy && kept[i - 1].sphere.centre.x > centre.x - within; --i) {
+            is_copy = norm(kept[i - 1].sphere.centre - centre) < within;
         }
         if (!is_copy) {
             kept.push_back(sample);
@@ -141,9 +147,9 @@ std::vector<Vec3> face_below(const geometry::ConvexView& shape, std::int32_t fac
     return polygon;
 }
 
-/// Spheres of one face in space: rows across its polygon along its first edge.
-void fill_face(const geometry::ConvexView& shape, std::int32_t face, double radius,
-               std::vector<body::ShapeSphere>& samples) {
+/// Spheres of one face in space: rows across its polygon along its first edge. Only those inside of it meet parts.
+void fill_face(const geometry::ConvexView& shape, std::int32_t face, double radius, bool meets_triangles,
+               std::vector<SurfaceSample>& samples) {
     const std::vector<Vec3> polygon = face_below(shape, face, radius);
     if (polygon.empty()) {
         return;
@@ -158,7 +164,7 @@ void fill_face(const geometry::ConvexView& shape, std::int32_t face, double radi
         high = std::max(high, dot(x - origin, v));
     }
     const double inside = 1e-9 * (high - low);
-    step_along(low + inside, high - inside, 2 * radius, [&](double row) {
+    step_along(low + inside, high - inside, 2 * radius, [&](double row, double height) {
         double begin = std::numeric_limits<double>::infinity(), end = -begin;
         const auto reach = [&](double along) {
             begin = std::min(begin, along);
@@ -175,55 +181,98 @@ void fill_face(const geometry::ConvexView& shape, std::int32_t face, double radi
             }
         }
         if (begin <= end) {
-            step_along(begin, end, 2 * radius, [&](double along) {
+            step_along(begin, end, 2 * radius, [&](double along, double width) {
                 const bool is_inner = begin < along && along < end && low + inside < row && row < high - inside;
-                samples.push_back({origin + along * u + row * v, radius, is_inner ? normal : Vec3{}});
+                if (is_inner || meets_triangles) {
+                    samples.push_back(
+                        {{origin + along * u + row * v, radius, is_inner ? normal : Vec3{}}, radius, width * height});
+                }
             });
         }
     });
 }
 
+/// Ends of a side of a planar section, in the order of its faces.
+struct Side {
+    Vec3 begin, end;
+};
+
+Side side_of(const geometry::ConvexView& shape, std::int32_t face) {
+    const Vec3 normal = shape.normal(face), along{-normal.y, normal.x, 0};
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::int32_t k = shape.face_start[face]; k < shape.face_start[face + 1]; ++k) {
+        low = std::min(low, dot(shape.vertex(shape.face_vertex[k]), along));
+        high = std::max(high, dot(shape.vertex(shape.face_vertex[k]), along));
+    }
+    const Vec3 base = shape.offset[face] * normal;
+    return {base + low * along, base + high * along};
+}
+
+/// Length of the equal parts of a side, two radii at most [m].
+double part_of(const Side& side, double radius) {
+    const double length = norm(side.end - side.begin);
+    return length / std::max(1.0, std::ceil(length / (2 * radius) - 1e-9));
+}
+
+/// Discs of one side of a planar section.
+void fill_side(const geometry::ConvexView& shape, std::int32_t face, double radius, bool meets_triangles,
+               std::vector<SurfaceSample>& samples) {
+    const Vec3 normal = shape.normal(face);
+    const Side side = side_of(shape, face);
+    const double part = part_of(side, radius), length = norm(side.end - side.begin);
+    const Vec3 along = (side.end - side.begin) / length;
+    Segment line{side.begin - radius * normal, along};
+    cut(shape, radius, face, face, true, line);
+    if (line.is_empty()) {
+        return;
+    }
+    const double forgiven = 1e-6 * radius;
+    const auto count = static_cast<std::int64_t>(std::llround(length / part));
+    for (std::int64_t i = 1; i < count; ++i) {
+        const double t = part * static_cast<double>(i);
+        if (line.begin - forgiven <= t && t <= line.end + forgiven) {
+            samples.push_back({{line.at(t), radius, normal}, radius, part});
+        }
+    }
+    for (const double t : {line.begin, line.end}) {
+        if (meets_triangles) {
+            samples.push_back({{line.at(t), radius, {}}, radius, 0.5 * part});
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<body::ShapeSphere> edge_samples(const geometry::ConvexView& shape, double radius, double spacing,
-                                            bool is_planar) {
-    std::vector<body::ShapeSphere> samples;
-    if (is_planar) {  // a corner of the section is an edge of the prism
-        for (const auto& [j, k] : neighbours(shape, true)) {
-            if (const Segment line = line_below(shape, j, k, radius, true); !line.is_empty()) {
-                samples.push_back({{line.origin.x, line.origin.y, 0}, radius, {}});
-            }
+std::vector<SurfaceSample> edge_samples(const geometry::ConvexView& shape, double radius, double law_radius,
+                                        bool is_planar) {
+    std::vector<SurfaceSample> samples;
+    for (const auto& [j, k] : neighbours(shape, is_planar)) {
+        const Segment line = line_below(shape, j, k, radius, is_planar);
+        if (line.is_empty()) {
+            continue;
         }
-        return samples;
-    }
-    for (const auto& [j, k] : neighbours(shape, false)) {
-        if (const Segment line = line_below(shape, j, k, radius, false); !line.is_empty()) {
-            step_along(line.begin, line.end, std::max(spacing, (line.end - line.begin) / most_of_edge), [&](double t) {
-                samples.push_back({line.at(t), radius, {}});
-            });
+        if (is_planar) {  // a corner of the section is an edge of the prism
+            const double parts = part_of(side_of(shape, j), law_radius) + part_of(side_of(shape, k), law_radius);
+            samples.push_back({{{line.origin.x, line.origin.y, 0}, radius, {}}, law_radius, 0.25 * parts});
+            continue;
         }
+        const double spacing = std::max(2 * law_radius, (line.end - line.begin) / most_of_edge);
+        step_along(line.begin, line.end, spacing, [&](double t, double length) {
+            samples.push_back({{line.at(t), radius, {}}, law_radius, length * law_radius});
+        });
     }
     leave_out_copies(samples, 0.1 * radius);
     return samples;
 }
 
-std::vector<body::ShapeSphere> face_samples(const geometry::ConvexView& shape, double radius, bool is_planar) {
-    std::vector<body::ShapeSphere> samples;
+std::vector<SurfaceSample> face_samples(const geometry::ConvexView& shape, double radius, bool is_planar,
+                                        bool meets_triangles) {
+    std::vector<SurfaceSample> samples;
     for (std::int32_t f = 0; f < shape.face_count; ++f) {
         if (!is_planar) {
-            fill_face(shape, f, radius, samples);
-            continue;
-        }
-        if (!is_met(shape, f, true)) {
-            continue;
-        }
-        const Vec3 normal = shape.normal(f);
-        Segment line{(shape.offset[f] - radius) * normal, {-normal.y, normal.x, 0}};
-        cut(shape, radius, f, f, true, line);
-        if (!line.is_empty()) {
-            step_along(line.begin, line.end, 2 * radius, [&](double t) {
-                samples.push_back({line.at(t), radius, normal});
-            });
+            fill_face(shape, f, radius, meets_triangles, samples);
+        } else if (is_met(shape, f, true)) {
+            fill_side(shape, f, radius, meets_triangles, samples);
         }
     }
     leave_out_copies(samples, 0.1 * radius);

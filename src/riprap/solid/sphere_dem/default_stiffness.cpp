@@ -32,6 +32,15 @@ double least_radius(const SphereSet& spheres, std::int32_t body) {
     return least;
 }
 
+/// Least portion of the samples of corners, by which their springs count; of a ball the whole [-].
+double least_portion(const SphereSet& spheres, std::int32_t body) {
+    double least = 1;
+    for (std::int32_t s = spheres.begin[at(body)]; s < spheres.begin[at(body) + 1]; ++s) {
+        least = spheres.is_sharp(s) ? std::min(least, spheres.portion[at(s)]) : least;
+    }
+    return least;
+}
+
 /// E* of two surfaces of one material over E [-].
 double effective_share(const SphereDemSettings& settings) {
     return 0.5 / (1 - settings.poisson_ratio * settings.poisson_ratio);
@@ -52,7 +61,7 @@ ContactDuty contact_duty(const SolidScene& scene, const SphereDemSettings& setti
             continue;
         }
         const double mass = scene.bodies.mass[at(b)], size = size_of(scene, b), radius = least_radius(spheres, b);
-        const double depth = impact_share * size;
+        const double depth = impact_share * size, portion = least_portion(spheres, b);
         all += mass;
         heaviest = std::max(heaviest, mass);
         low = std::min(low, dot(up, state.position[at(b)]));
@@ -60,12 +69,13 @@ ContactDuty contact_duty(const SolidScene& scene, const SphereDemSettings& setti
         has_balls = has_balls || spheres.count_of(b) == 1;
         duty.size = std::min(duty.size, size);
         duty.radius = std::min(duty.radius, radius);
-        duty.impact = std::max(duty.impact, mass * speed * speed / (std::sqrt(radius) * std::pow(depth, 2.5)));
-        duty.spring = std::max(duty.spring, mass * speed * speed / (depth * depth));
+        duty.impact =
+            std::max(duty.impact, mass * speed * speed / (portion * std::sqrt(radius) * std::pow(depth, 2.5)));
+        duty.spring = std::max(duty.spring, mass * speed * speed / (portion * depth * depth));
     }
     if (all > 0) {
-        const double contacts = has_balls ? 1 : scene.bodies.is_planar ? 2 : 3;
-        duty.load = gravity * std::min(all, heaviest * (1 + (high - low) / duty.size)) / contacts;
+        const double of_edge = has_balls ? 1 : scene.bodies.is_planar ? 0.5 : 0.25 * duty.size / duty.radius;
+        duty.load = gravity * std::min(all, heaviest * (1 + (high - low) / duty.size)) / of_edge;
     }
     return duty;
 }

@@ -27,17 +27,18 @@ inline double spring_of(const SphereDemSettings& settings) {
 
 /// What the contacts of a scene have to carry.
 struct ContactDuty {
-    double load{0};    ///< on one contact at rest [N]
+    double load{0};    ///< at rest, on a sample whose portion is one [N]
     double speed{0};   ///< of the hardest impact [m/s]
     double size{0};    ///< twice the least inscribed radius of what moves [m]
     double radius{0};  ///< least R of the spheres [m]
-    double impact{0};  ///< largest m v^2/(sqrt(R) (0.01 D)^(5/2)) of a body of size D [Pa]
-    double spring{0};  ///< largest m v^2/(0.01 D)^2 [N/m]
+    double impact{0};  ///< largest m v^2/(p sqrt(R) (0.01 D)^(5/2)) of a body of size D [Pa]
+    double spring{0};  ///< largest m v^2/(p (0.01 D)^2) [N/m]; p the portion of its corners, see SphereSet
 };
 
-/// Works out what contacts have to carry: at rest g min(M, m (1 + H/D)) on three contacts (two in the plane), with M
-/// the mass of all bodies that may move, m that of the heaviest, H their extent along gravity and D the size of the
-/// smallest: so much lies on the lowest of a pile.
+/// Works out what contacts have to carry: at rest g min(M, m (1 + H/D)), with M the mass of all bodies that may move, m
+/// that of the heaviest, H their extent along gravity and D the size of the smallest: so much lies on the lowest of a
+/// pile. All of it lies on one edge before a body tips: in the plane on a corner, whose sample counts by a half, in
+/// space on samples that count by D/(4 R) together.
 /// @param speed  of the hardest impact to come [m/s]
 ContactDuty contact_duty(const SolidScene& scene, const SphereDemSettings& settings, const body::BodyState& state,
                          double speed);

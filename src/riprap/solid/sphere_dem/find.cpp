@@ -248,13 +248,17 @@ double carry_springs(bool has_rolling, bool are_same_slots, Springs& springs, Sp
 
 }  // namespace
 
-double find_contacts(const SphereModel& model, SphereState& state, SphereScratch& scratch) {
+void find_candidates(const SphereModel& model, SphereScratch& scratch) {
     const Placed& placed = scratch.placed;
     const contact::PartBounds bounds{placed.center, placed.radius, placed.body, placed.is_mobile};
     if (scratch.pairs.update(bounds, placed.giants,
                              {model.settings.skin * placed.median_radius, model.settings.grid_factor})) {
         fill_slots(model, scratch);
     }
+}
+
+double find_contacts(const SphereModel& model, SphereState& state, SphereScratch& scratch) {
+    find_candidates(model, scratch);
     const bool are_same = !scratch.slots.is_fresh && scratch.evaluations == state.evaluations;
     const bool have_changed = look(scratch);
     return have_changed || !are_same

@@ -11,9 +11,9 @@
 
 #include "riprap/body/ground.hpp"
 #include "riprap/body/may_move.hpp"
-#include "riprap/body/multisphere.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/geometry/shapes.hpp"
+#include "riprap/solid/sphere_dem/box_samples.hpp"
 #include "riprap/solid/sphere_dem/convex_samples.hpp"
 #include "riprap/solid/sphere_dem/default_stiffness.hpp"
 
@@ -62,32 +62,45 @@ double radius_in(const geometry::ConvexView& part, double radius) {
     return std::min(radius, part.inscribed_radius * (1 - 1e-9));
 }
 
-/// Samples of the faces of a part, in its own frame.
-geometry::Outcome<std::vector<body::ShapeSphere>> sample_faces(const geometry::ShapeSet& shapes, ShapeId part,
-                                                               double radius, bool is_planar) {
+/// What the samples of a scene have to meet.
+struct Sampling {
+    double radius{0};  ///< [m]
+    bool is_planar{false};
+    bool meets_triangles{false};
+};
+
+/// Radius of the samples of edges [m].
+double sharp_radius(const geometry::ConvexView& part, double of_faces) {
+    return std::min(sharp_share * of_faces, 0.25 * part.inscribed_radius);
+}
+
+/// Samples of the surface of a part, in its own frame.
+geometry::Outcome<std::vector<SurfaceSample>> sample_part(const geometry::ShapeSet& shapes, ShapeId part,
+                                                          const Sampling& sampling) {
     constexpr double most = 8e6;  // of one part
     const geometry::Polyhedron shape = shapes.polyhedron(part);
-    Vec3 size = extent(shape);
-    if (is_box(shape, size)) {
-        if (is_planar) {
-            size.z = 2 * radius;
+    const geometry::ConvexView view = shapes.view(part);
+    const double r = radius_in(view, sampling.radius);
+    if (const Vec3 size = extent(shape); is_box(shape, size)) {
+        const BoxSampling box{size, r, sharp_radius(view, r), sampling.is_planar, sampling.meets_triangles};
+        if (const double count = box_sample_count(box); count > most) {
+            return geometry::GeometryProblem{
+                fmt::format("a shell of about {:.2g} spheres of radius {:.3g} m", count, r),
+                "larger spheres, at most 8 million of them"};
         }
-        const double r = std::min({radius, 0.5 * size.x, 0.5 * size.y, 0.5 * size.z});
-        auto shell = is_planar ? body::rectangle_shell(size, r) : body::box_shell(size, r);
-        if (!shell) {
-            return shell.problems();
-        }
-        return std::move(shell).value().spheres;
+        return box_samples(box);
     }
-    const double r = radius_in(shapes.view(part), radius), count = sample_estimate(shapes.view(part), r);
-    if (count > most) {
+    if (const double count = sample_estimate(view, r); count > most) {
         return geometry::GeometryProblem{fmt::format("about {:.2g} samples of radius {:.3g} m", count, r),
                                          "larger spheres, at most 8 million of them"};
     }
-    return face_samples(shapes.view(part), r, is_planar);
+    std::vector<SurfaceSample> samples = face_samples(view, r, sampling.is_planar, sampling.meets_triangles);
+    const std::vector<SurfaceSample> edges = edge_samples(view, sharp_radius(view, r), r, sampling.is_planar);
+    samples.insert(samples.end(), edges.begin(), edges.end());
+    return samples;
 }
 
-/// Adds the samples of the edges and corners of a body.
+/// Adds the samples of the edges and corners of a body that cannot move.
 void add_edges(const SolidScene& scene, std::int32_t b, double radius, SphereSet& spheres) {
     const body::BodySet& bodies = scene.bodies;
     for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
@@ -96,12 +109,8 @@ void add_edges(const SolidScene& scene, std::int32_t b, double radius, SphereSet
         if (shape.vertex_count == 0) {
             continue;  // a half-space
         }
-        const double of_faces = may_move(bodies, at(b)) ? radius_in(shape, radius) : radius;
-        const double own = std::min(sharp_share * of_faces, 0.25 * shape.inscribed_radius);
-        for (const body::ShapeSphere& s : edge_samples(shape, own, 2 * of_faces, bodies.is_planar)) {
-            Vec3 centre = to_world(part.local, s.centre);
-            centre.z = bodies.is_planar ? 0 : centre.z;
-            spheres.add(BodyId{b}, s.radius, centre, {}, of_faces);
+        for (const SurfaceSample& sample : edge_samples(shape, sharp_radius(shape, radius), radius, bodies.is_planar)) {
+            spheres.add_sample(BodyId{b}, part.local, sample, bodies.is_planar);
         }
     }
 }
@@ -140,10 +149,12 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
     SphereSet spheres;
     std::vector<std::uint8_t> is_sampled(at(bodies.size()), 0);
     const double radius = radius_of_samples(bodies, shapes, settings);
+    Sampling sampling{radius, bodies.is_planar, false};
     bool is_any_sampled = false;  // else no sample of an edge meets anything
     for (std::int32_t b = 0; b < bodies.size() && settings.sampling == SphereSampling::surface; ++b) {
         is_any_sampled =
             is_any_sampled || (may_move(bodies, at(b)) && given[at(b)] == nullptr && !is_round(bodies, shapes, at(b)));
+        sampling.meets_triangles = sampling.meets_triangles || body::is_ground(bodies, shapes, BodyId{b});
     }
     // A body that cannot be sampled stands as one sphere, for its problem to be told.
     const auto refuse = [&](std::int32_t body, const geometry::GeometryProblem& problem) {
@@ -182,23 +193,16 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
             continue;
         }
         is_sampled[at(b)] = 1;
-        bool is_sound = true;
         for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
             const body::Part& part = bodies.parts[at(p)];
-            const auto samples = sample_faces(shapes, part.shape, radius, bodies.is_planar);
+            const auto samples = sample_part(shapes, part.shape, sampling);
             if (!samples) {
                 refuse(b, samples.problems().front());
-                is_sound = false;
                 break;
             }
-            for (const body::ShapeSphere& s : samples.value()) {
-                Vec3 centre = to_world(part.local, s.centre);
-                centre.z = bodies.is_planar ? 0 : centre.z;
-                spheres.add(BodyId{b}, s.radius, centre, rotate(part.local.orientation, s.face_normal));
+            for (const SurfaceSample& sample : samples.value()) {
+                spheres.add_sample(BodyId{b}, part.local, sample, bodies.is_planar);
             }
-        }
-        if (is_sound) {
-            add_edges(scene, b, radius, spheres);
         }
     }
     spheres.finish(bodies.size());
@@ -259,6 +263,18 @@ contact::ContactTable pair_table(const material::MaterialSet& materials, const S
         }
     }
     return table;
+}
+
+std::vector<double> cohesion_table(const material::MaterialSet& materials) {
+    std::vector<double> table;
+    bool is_any = false;
+    for (std::int32_t a = 0; a < materials.size(); ++a) {
+        for (std::int32_t b = 0; b < materials.size(); ++b) {
+            table.push_back(materials.pair(MaterialId{a}, MaterialId{b}).cohesion);
+            is_any = is_any || table.back() > 0;
+        }
+    }
+    return is_any ? table : std::vector<double>{};
 }
 
 }  // namespace riprap::solid::sphere_dem

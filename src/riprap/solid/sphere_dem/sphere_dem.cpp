@@ -24,6 +24,9 @@ namespace riprap::solid {
 
 namespace {
 
+/// Steps of a run, at least, with the default share of 0.15 [-].
+constexpr double least_steps = 1000;
+
 /// Names the key that makes contacts stiff enough, with its value now.
 std::string stiffer(const SphereDemSettings& settings) {
     return settings.laws.normal == contact::NormalLaw::hertz
@@ -103,6 +106,7 @@ SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const So
             scratch.triangles.add(ground.body, mesh.points, corners);
         }
         scratch.table = sphere_dem::pair_table(scene.materials, settings);
+        scratch.cohesion = sphere_dem::cohesion_table(scene.materials);
         for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
             const bool has_spheres = scratch.spheres.count_of(b) > 0;
             scratch.faces.left_out.push_back(has_spheres ? 1 : 0);
@@ -113,12 +117,30 @@ SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const So
 }
 
 sphere_dem::SphereModel SphereDem::model() const {
-    return {scene_->bodies, scene_->shapes, scratch_->spheres, scratch_->triangles, scratch_->table, settings_->laws};
+    return {scene_->bodies,  scene_->shapes,  scratch_->spheres, scratch_->triangles,
+            scratch_->table, settings_->laws, scratch_->cohesion};
+}
+
+StepLimit SphereDem::lasting_limit() const {
+    const sphere_dem::SphereStep step = step_limit(model(), state_.bodies, norm(scene_->gravity.value));
+    const StepLimit of_spheres{step.limit * settings_->laws.steps_per_contact / 7.5, false, step.reason};
+    return shorter_of(of_spheres);
 }
 
 StepLimit SphereDem::limit() const {
-    const sphere_dem::SphereStep step = step_limit(model(), state_.bodies, norm(scene_->gravity.value));
-    const StepLimit of_spheres{step.limit * settings_->laws.steps_per_contact / 7.5, false, step.reason};
+    const double gravity = norm(scene_->gravity.value);
+    const sphere_dem::SphereStep step = step_limit(model(), state_.bodies, gravity);
+    StepLimit of_spheres{step.limit * settings_->laws.steps_per_contact / 7.5, false, step.reason};
+    if (std::isfinite(of_spheres.longest) && follows_contacts(model())) {
+        of_spheres.longest = longest_ahead(model(), state_.bodies, {of_spheres.longest, gravity}, scratch_->ahead);
+    }
+    if (scene_->end > 0) {  // bodies at rest that a load is about to move have no impact to resolve yet
+        of_spheres.longest = std::min(of_spheres.longest, scene_->end / (0.15 * least_steps));
+    }
+    return shorter_of(of_spheres);
+}
+
+StepLimit SphereDem::shorter_of(const StepLimit& of_spheres) const {
     if (!scratch_->do_faces_meet) {
         return of_spheres;
     }

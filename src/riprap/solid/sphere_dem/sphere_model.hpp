@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/contact/law/contact_table.hpp"
 #include "riprap/contact/law/frictions.hpp"
 #include "riprap/solid/sphere_dem/sphere_settings.hpp"
+#include "riprap/solid/sphere_dem/surface_sample.hpp"
 
 namespace riprap::solid::sphere_dem {
 
@@ -18,6 +20,8 @@ struct SphereSet {
     std::vector<double> curvature;    ///< R that the laws of contact take; of samples in edges that of the others [m]
     std::vector<Vec3> local;          ///< centre in the body frame [m]
     std::vector<Vec3> face_normal;    ///< outward normal of the face that the sphere lies in, body frame; 0 = none [-]
+    std::vector<double> area;         ///< of the surface that a sample stands for; 0 of other spheres [m^2], plane: [m]
+    std::vector<double> portion;      ///< area over that of a square of 2 R: by which its springs count [-]
     std::vector<std::int32_t> begin;  ///< first sphere of every body; body count + 1 entries, see finish
     /// Per body: most spheres that a plane across a body axis touches at once, within a tenth of their radius; see
     /// finish.
@@ -53,6 +57,9 @@ struct SphereSet {
     }
     /// @param law_radius  R of the laws of contact [m]; 0 = that of the sphere
     void add(BodyId of, double sphere_radius, const Vec3& centre = {}, const Vec3& normal = {}, double law_radius = 0);
+    /// Adds a sample of a surface: its springs count by area/(2 R)^2, in the plane by area/(2 R), so that a face is as
+    /// stiff per area wherever it is pressed.
+    void add_sample(BodyId of, const Pose& part, const SurfaceSample& sample, bool is_planar);
     /// Fills what is per body and `has_clusters`; call once all spheres are added, in the order of their bodies.
     void finish(std::int32_t body_count);
 };
@@ -79,6 +86,8 @@ struct SphereModel {
     const TriangleSet& triangles;
     const contact::ContactTable& table;
     SphereSettings settings{};
+    /// Cohesion of pairs of materials, row after row [Pa]; empty where no pair has any.
+    std::span<const double> cohesion{};
 };
 
 }  // namespace riprap::solid::sphere_dem

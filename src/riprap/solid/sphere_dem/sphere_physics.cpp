@@ -37,7 +37,9 @@ std::vector<material::PropertyUse> SpheresOnSpheres::reads(const SphereDemSettin
     return reads_of_spheres(settings);
 }
 std::vector<material::PropertyUse> SpheresOnFaces::reads(const SphereDemSettings& settings) {
-    return reads_of_spheres(settings);
+    std::vector<material::PropertyUse> reads = reads_of_spheres(settings);
+    reads.push_back({material::Property::cohesion});
+    return reads;
 }
 
 void SpheresOnSpheres::find(Meeting& meeting) {

@@ -84,6 +84,14 @@ struct RespondToWalls {
     SphereScratch& scratch;
     const Surfaces<Native>& surfaces;
 
+    /// Shear strength of the surface that a sample stands for, c A [N].
+    double cohesion_of(const WallContact& contact, std::size_t body, std::size_t wall) const {
+        return model.cohesion.empty() ? 0
+                                      : model.spheres.area[at(contact.sphere)] *
+                                            model.cohesion[at(model.bodies.material[body].value * model.table.size() +
+                                                              model.bodies.material[wall].value)];
+    }
+
     WallGroup group_at(std::size_t first, std::int64_t count) const {
         WallGroup g;
         enum {
@@ -97,6 +105,8 @@ struct RespondToWalls {
             room,
             mass,
             weight,
+            portion,
+            cohesion,
             numbers
         };
         alignas(64) double of[numbers][side_by_side];
@@ -127,12 +137,14 @@ struct RespondToWalls {
             of[room][lane] = contact.room;
             of[mass][lane] = scratch.kinematics.inverse_mass[body] + scratch.kinematics.inverse_mass[wall];
             of[weight][lane] = contact.weight;
+            of[portion][lane] = contact.portion;
+            of[cohesion][lane] = cohesion_of(contact, body, wall);
         }
         const auto numbers_of = [&](int number) { return Native::load(of[number]); };
         const auto vectors = [&](int number) {
             return Vec3T<Native>{numbers_of(number), numbers_of(number + 1), numbers_of(number + 2)};
         };
-        const Native one(1.0), share = numbers_of(weight);
+        const Native one(1.0), share = numbers_of(weight), own = numbers_of(portion);
         g.room = numbers_of(room);
         const bool shares_dashpots = model.settings.sharing == contact::Sharing::dashpots;
         g.motion = {.normal = vectors(normal),
@@ -144,12 +156,13 @@ struct RespondToWalls {
                     .radius = numbers_of(radius),
                     .mass = one / numbers_of(mass),
                     .inverse_mass = numbers_of(mass),
-                    .weight = shares_dashpots ? one : share,
-                    .damping_weight = share,
-                    .count = shares_dashpots                                      ? one / (share * share)
-                             : model.settings.sharing == contact::Sharing::divide ? one / share
+                    .weight = shares_dashpots ? own : share * own,
+                    .damping_weight = share * own,
+                    .count = shares_dashpots                                      ? one / (share * share * own)
+                             : model.settings.sharing == contact::Sharing::divide ? one / (share * own)
                                                                                   : one,
-                    .dt = Native(dt)};
+                    .dt = Native(dt),
+                    .cohesion = numbers_of(cohesion)};
         return g;
     }
 
@@ -166,10 +179,12 @@ struct RespondToWalls {
         if (!springs.rolling.empty()) {
             rolling = gather(springs.rolling.data(), rows);
         }
+        const SurfacePair<Native> pair =
+            surfaces.is_uniform() ? surfaces.first() : surfaces.of(g.material, g.wall_material);
         const ContactResponse<Native> response =
-            respond_to<Native>(ChosenLaws{model.settings}, friction,
-                               surfaces.is_uniform() ? surfaces.first() : surfaces.of(g.material, g.wall_material),
-                               g.motion, spring, rolling);
+            model.cohesion.empty()
+                ? respond_to<Native>(ChosenLaws{model.settings}, friction, pair, g.motion, spring, rolling)
+                : respond_to<Native>(CohesiveLaws{{model.settings}}, friction, pair, g.motion, spring, rolling);
         for (std::int64_t lane = 0; lane < count; ++lane) {
             const std::size_t c = first + at(lane);
             springs.force[c] = lane_of(spring.force, lane);

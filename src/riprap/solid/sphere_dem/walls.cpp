@@ -22,6 +22,11 @@ struct Reached {
     std::int32_t triangle;
 };
 
+/// Portion by which the springs of a sphere count; of the deepest contact alone, which stands for all, the whole.
+double portion_of(const SphereModel& model, std::int32_t sphere) {
+    return model.settings.sharing == contact::Sharing::closest ? 1 : model.spheres.portion[at(sphere)];
+}
+
 Reached reach(const SphereModel& model, const Placed& placed, const contact::PartPair pair, std::int32_t parts) {
     const std::int32_t t = pair.b - parts;
     const Vec3* corner = &placed.corner[at(3 * t)];
@@ -35,7 +40,7 @@ Reached reach(const SphereModel& model, const Placed& placed, const contact::Par
     const std::int32_t second =
         nearest.feature == contact::TriangleFeature::edge ? vertex[(nearest.corner + 1) % 3] : first;
     return {{pair.a, pair.b, distance > 0 ? into / distance : -normalized(face), nearest.point,
-             placed.radius[at(pair.a)] - distance, 1, model.spheres.curvature[at(pair.a)]},
+             placed.radius[at(pair.a)] - distance, 1, model.spheres.curvature[at(pair.a)], portion_of(model, pair.a)},
             nearest.feature,
             {std::min(first, second), std::max(first, second)},
             t};
@@ -129,7 +134,7 @@ Touched touch(const SphereModel& model, const Placed& placed, const contact::Par
     for (std::int32_t f = 0; f < shape.face_count && face < 0; ++f) {
         face = norm_squared(shape.normal(f) - outward) < 1e-18 ? f : -1;
     }
-    Touched touched{{pair.a, pair.b, found.normal, found.point, found.overlap, 1, 0}, face};
+    Touched touched{{pair.a, pair.b, found.normal, found.point, found.overlap, 1, 0, portion_of(model, pair.a)}, face};
     if (face >= 0 && shape.is_internal[face] != 0) {
         take_next_way_out(model, placed, touched);  // none leads through the end of a prism or into the next part
     }
