@@ -43,16 +43,16 @@ TEST(Matrix, shows_the_quantity_at_the_end_where_its_answer_is_not_due_yet) {
 
 // Cells outside the band of the case were listed as "ran".
 TEST(Matrix, judges_the_expected_answers_in_every_cell) {
-    // The largest way down is the last one; "last" would be due at the end that the file has.
-    const std::vector<std::string> overrides{"end=0.1", "expect.0.reduce=\"max\"", "expect.0.value=0.0092",
-                                             "expect.0.relative_tolerance=0.6"};
+    // With a window of its own: one that goes on to the end of the file would not be due yet.
+    const std::vector<std::string> overrides{"end=0.1", "expect.0.reduce=\"max\"", "expect.0.to=0.1",
+                                             "expect.0.value=0.0092", "expect.0.relative_tolerance=0.6"};
     const MatrixResult good = matrix_of("cases/sliding_block/case.toml", overrides);
     for (const MatrixEntry& entry : good.entries) {
         EXPECT_EQ(entry.finding, Finding::right) << entry.solid << ": " << entry.why;
     }
     const MatrixResult bad =
-        matrix_of("cases/sliding_block/case.toml",
-                  {"end=0.1", "expect.0.reduce=\"max\"", "expect.0.value=0.05", "expect.0.relative_tolerance=0.05"});
+        matrix_of("cases/sliding_block/case.toml", {"end=0.1", "expect.0.reduce=\"max\"", "expect.0.to=0.1",
+                                                    "expect.0.value=0.05", "expect.0.relative_tolerance=0.05"});
     for (const MatrixEntry& entry : bad.entries) {
         EXPECT_EQ(entry.finding, Finding::wrong);
         EXPECT_THAT(entry.why, ::testing::HasSubstr("slid down the plane: 0.0"));
@@ -60,11 +60,11 @@ TEST(Matrix, judges_the_expected_answers_in_every_cell) {
 }
 
 TEST(Matrix, runs_every_value_of_vary_with_the_answer_that_is_expected_there) {
-    const MatrixResult result =
-        matrix_of("cases/sliding_block/case.toml",
-                  {"end=0.1", "expect.0.reduce=\"max\"", "expect.0.value=0.0092", "expect.0.relative_tolerance=0.05",
-                   "vary=[{ key = \"gravity.0\", values = [9.81], expect = [{ name = \"slid "
-                   "down the plane\", values = [0.0337] }] }]"});
+    const MatrixResult result = matrix_of("cases/sliding_block/case.toml",
+                                          {"end=0.1", "expect.0.reduce=\"max\"", "expect.0.to=0.1",
+                                           "expect.0.value=0.0092", "expect.0.relative_tolerance=0.05",
+                                           "vary=[{ key = \"gravity.0\", values = [9.81], expect = [{ name = \"slid "
+                                           "down the plane\", values = [0.0337] }] }]"});
     ASSERT_EQ(result.entries.size(), 10U);
     for (const char* solid : {"distance_potential_dem", "planar_dda"}) {
         const MatrixEntry& entry = entry_of(result, solid, "gravity.0 = 9.81");
