@@ -252,7 +252,8 @@ Outcome<Polyhedron> tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, con
     if (!std::all_of(shape.vertices.begin(), shape.vertices.end(), is_finite)) {
         return GeometryProblem{"a corner of the tetrahedron is not finite", "give finite lengths"};
     }
-    if (const double scale = length_scale(shape.vertices); !(scale >= least_extent && scale <= most_extent)) {
+    const double scale = length_scale(shape.vertices);
+    if (scale != 0 && !(scale >= least_extent && scale <= most_extent)) {  // equal points lie in one plane
         return extent_problem({scale, scale, scale}, false);
     }
     const double six_volumes = dot(b - a, cross(c - a, d - a));
@@ -261,7 +262,7 @@ Outcome<Polyhedron> tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, con
         largest_area = std::max(largest_area, norm(vector_area(shape.vertices, face)));
     }
     // Smallest altitude: 3 V / S_max.
-    if (std::abs(six_volumes) <= 2 * largest_area * flatness_tolerance * length_scale(shape.vertices)) {
+    if (std::abs(six_volumes) <= 2 * largest_area * flatness_tolerance * scale) {
         return GeometryProblem{"the four corners of the tetrahedron lie in one plane",
                                "give four points that span a volume"};
     }

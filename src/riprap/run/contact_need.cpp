@@ -81,6 +81,7 @@ struct Side {
     double energy{0}, mass{0};
     BodyId driven{};  ///< of it, moving against the other side; invalid without one
     bool is_held{false};
+    bool is_backed{false};  ///< what stands behind it moves as told, or not at all
 };
 
 /// Adds up the bodies that touch `first`, and those that touch these, without the other side of the contact.
@@ -97,6 +98,7 @@ Side side_of(const Refused& refused, const std::vector<contact::ShownContact>& r
         const Vec3 velocity = state.velocity[at(b)] - state.velocity[at(other.value)];
         if (!is_free(bodies, BodyId{b}, refused.after.time)) {
             side.is_held = side.is_held || b == first.value;
+            side.is_backed = side.is_backed || b != first.value;
             side.driven = bodies.drive[at(b)] == body::Drive::driven && norm(velocity) > 0 ? BodyId{b} : side.driven;
             continue;  // what stands behind it presses on it alone
         }
@@ -147,7 +149,8 @@ std::string stiffness_advice(const Refused& refused, double allowed_share) {
     if (is_worse(side, other)) {
         std::swap(side, other);
     }
-    if (side.is_held || side.driven.is_valid()) {
+    const bool has_no_room = side.is_backed && other.driven.is_valid();
+    if (side.is_held || side.driven.is_valid() || has_no_room) {
         const BodyId driven = side.driven.is_valid() ? side.driven : other.driven;
         return driven.is_valid()
                    ? fmt::format("no stiffness holds '{}' up, which is driven: {} leaves its room to what it presses",
