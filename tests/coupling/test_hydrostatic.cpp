@@ -123,6 +123,21 @@ TEST(Hydrostatic, a_fixed_or_driven_body_under_water_is_lifted_by_the_weight_of_
     }
 }
 
+// Story: bodies with wet = false were lifted by their whole volume.
+TEST(Hydrostatic, water_passes_through_a_dry_body_and_into_the_joint_below_it) {
+    for (const body::Drive drive : {body::Drive::free, body::Drive::fixed}) {
+        StillWater water;
+        water.settings.uplift = Uplift::none;
+        water.scene.add(geometry::box({1, 1, 0.4}), {{0, 0, -1.2}, {}}, body::Drive::free);
+        water.scene.add(geometry::box({1, 1, 0.4}), {{0, 0, -1.6}, {}}, drive);
+        EXPECT_NEAR(water.loads().pressure.force[0].z, -rho * g * 1.0, 1e-9 * rho * g);  // a watertight joint below
+        water.settings.is_dry = {0, 1};
+        const FluidLoads loads = water.loads();
+        EXPECT_NEAR(loads.pressure.force[0].z, rho * g * 0.4, 1e-9 * rho * g);
+        EXPECT_EQ(norm(loads.pressure.force[1]) + norm(loads.pressure.torque[1]), 0);
+    }
+}
+
 TEST(Hydrostatic, a_wall_through_a_floor_is_pushed_by_the_water_on_the_floor_alone) {
     for (const bool by_half_space : {false, true}) {
         StillWater water;

@@ -40,7 +40,7 @@ After strike(const Impact& impact) {
     };
     const double gap = 0.02, apart = 0.5 * (impact.small + impact.large) + gap;
     const std::string text =
-        "gravity = [0, 0, 0]\nend = 0.1\n[material.rock]\ndensity = 2500\nnormal_stiffness = 1e8\n"
+        "gravity = [0, 0, 0]\nend = 0.05\n[material.rock]\ndensity = 2500\nnormal_stiffness = 1e8\n"
         "friction_coefficient = 0\n[solid]\nmethod = 'sphere_dem'\n" +
         fmt::format("restitution = {}\n", impact.restitution) + impact.laws + "\n" +
         body("small",

@@ -22,6 +22,7 @@ struct BondedBlock {
     double stiffness{1e8};          ///< of both springs of a contact point [N/m]
     double pressed{0.1}, end{0.5};  ///< settles, without inertia or damped; runs on [s]
     double speed{0};                ///< along the floor, when it has settled [m/s]
+    double pebble{0};  ///< side of a square elsewhere on the floor; 0 = none [m]
     std::function<geometry::Vec2(double)> gravity{[](double) { return geometry::Vec2{0, -9.81}; }};
 };
 
@@ -38,9 +39,12 @@ Answer run_in_the_plane(const BondedBlock& scene) {
                               {2500, 5e9, 0.25});
     blocks.add_box({-5, -1}, {10, 1}, true);
     blocks.add_box({0, 0}, {scene.width, scene.height});
+    if (scene.pebble > 0) {
+        blocks.add_box({-3, 0}, {scene.pebble, scene.pebble});
+    }
     blocks.settings.displacement_limit = 0.05;
     blocks.settings.close_tolerance = blocks.settings.open_tolerance = 1e-11;
-    blocks.settings.bond_length = affine::bond_tolerance * std::sqrt(scene.width * scene.height);
+    blocks.settings.bond_share = affine::bond_tolerance;
     bond_contacts(blocks.model, blocks.settings, 1e-9, blocks.state);
     const double dt = 2e-4;
     const auto run = [&](double from, double length) {
@@ -65,6 +69,9 @@ Answer run_in_space(const BondedBlock& scene, bool is_explicit) {
                  {scene.stiffness, scene.stiffness, false, scene.friction, scene.cohesion, 0, 0.1});
     add_box(system, blocks, {10, 1, 3}, {.position = {0, -0.5, 0}, .is_fixed = true});
     add_box(system, blocks, {scene.width, scene.height, 1}, {.position = {0, 0.5 * scene.height, 0}});
+    if (scene.pebble > 0) {
+        add_box(system, blocks, {scene.pebble, scene.pebble, 1}, {.position = {-3, 0.5 * scene.pebble, 0}});
+    }
     affine::BlockContactHistory contacts;
     contacts.bonded = bonded_pairs(system, blocks);
     const auto turn_gravity = [&](double t) { system.gravity = {scene.gravity(t).x, scene.gravity(t).y, 0}; };
@@ -147,6 +154,17 @@ TEST_P(DdaBonds, a_bond_is_gone_when_it_has_slid_by_a_ten_thousandth_of_the_bloc
         // Nothing else holds the block: where the bond is gone it goes on.
         EXPECT_EQ(answer.way < length, share < 1) << share << ": " << answer.way;
     }
+}
+
+// Story: the smallest block of the scene gave the length of all bonds, and a pebble weakened a dam.
+TEST_P(DdaBonds, a_pebble_elsewhere_does_not_shorten_the_bond_of_a_block) {
+    const double strength = 2000, mass = 2500, length = affine::bond_tolerance;
+    const double elastic = strength / ((GetParam() == Dda::planar ? 2 : 4) * 1e8);
+    const double speed = std::sqrt(2 * strength * (0.75 * length + 0.5 * elastic) / mass);
+    const Answer answer =
+        run(GetParam(), {.cohesion = strength, .end = 0.05, .speed = speed, .pebble = 0.05});
+    EXPECT_LT(answer.way, length);
+    EXPECT_GT(answer.way, 0.5 * length);
 }
 
 TEST_P(DdaBonds, a_base_that_lifts_by_less_than_that_is_still_bonded) {

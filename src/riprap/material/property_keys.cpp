@@ -57,8 +57,8 @@ std::vector<PropertyKey<To>> surface_keys() {
          mixed(number(&To::cohesion, "cohesion", dimension::pressure, non_negative(),
                       "Added to the shear strength, per contact area, as in limit equilibrium: corners of a face that "
                       "reach their strength first slide and keep their cohesion, so that the whole face bears the "
-                      "load. A bond of DDA that has slid, or without tensile strength opened, by 1e-4 of the smallest "
-                      "block is broken, and its cohesion is lost for good."))},
+                      "load. A bond of DDA that has slid, or without tensile strength opened, by 1e-4 of the smaller "
+                      "of its two blocks is broken, and its cohesion is lost for good."))},
         {Property::tensile_strength,
          mixed(number(&To::tensile_strength, "tensile_strength", dimension::pressure, non_negative(),
                       "Tensile strength: with cohesion it bonds faces that touch at the start. A bond that is torn, or "

@@ -17,6 +17,7 @@
 #include "riprap/run/method_scales.hpp"
 #include "riprap/run/missing_physics.hpp"
 #include "riprap/run/simulation.hpp"
+#include "riprap/scene/build/complete_solid.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 
@@ -155,7 +156,7 @@ MatrixEntry run_one(const Asked& asked, const std::string& solid, const std::str
     try {
         Simulation simulation(scene::read_case(asked.options.case_path, overrides));
         if (resolved != nullptr) {
-            *resolved = {simulation.loaded().resolved_toml, simulation.model().solid};
+            *resolved = {scene::completed_toml(simulation.loaded()), simulation.model().solid};
         }
         run_to_end(simulation, asked.options, entry);
     } catch (const CaseError& error) {

@@ -12,6 +12,7 @@
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/check_spreads.hpp"
 #include "riprap/scene/build/choose_contact.hpp"
+#include "riprap/scene/build/complete_solid.hpp"
 #include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/build/variations.hpp"
@@ -213,6 +214,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
         check_overlaps(build);
         check_materials(build);
         if (build.has_all_bodies) {
+            complete_solid(build);
             check_solid_method(build);
         }
     }

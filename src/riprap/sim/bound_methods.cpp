@@ -2,6 +2,7 @@
 #include "riprap/sim/bound_methods.hpp"
 
 #include "riprap/sim/method_scratch.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 
@@ -14,11 +15,18 @@ class BoundSolid final : public Solid {
  public:
     BoundSolid(const Model& model, const typename Method::Settings& settings, State& state, ScratchData& scratch)
         : scene_(solid_scene(model)),
+          fluid_leads_(fluid_leads(model)),
           method_(scene_, settings, {state.bodies, state.contacts, state.previous_dt},
                   Solids::matching<Method>(model.solid, state.solid_fields),
                   Solids::matching<Method>(model.solid, scratch.methods->solid)) {}
 
-    StepLimit limit() const override { return method_.limit(); }
+    StepLimit limit() const override {
+        if constexpr (requires { method_.lasting_limit(); }) {  // the step of the fluid is shared out at its beginning
+            return fluid_leads_ ? method_.lasting_limit() : method_.limit();
+        } else {
+            return method_.limit();
+        }
+    }
     bool takes_back() const override {
         return requires { requires Method::takes_back; };
     }
@@ -29,6 +37,7 @@ class BoundSolid final : public Solid {
 
  private:
     solid::SolidScene scene_;
+    bool fluid_leads_;
     Method method_;
 };
 

@@ -65,14 +65,11 @@ struct OutputSettings {
     std::vector<coupling::FaceGauge> faces;  ///< of the gauges of kind wall_pressure, see Gauge::face
 };
 
-/// Reductions of the values of an expected answer to one number.
-inline constexpr std::array<std::string_view, 7> reduces{"last", "min", "max", "extreme", "mean", "at", "when"};
-
 /// An expected answer: a case is also a test.
 struct Expect {
     std::string name;
     std::string quantity;        ///< probe column or ledger/summary quantity
-    std::string reduce{"last"};  ///< one of reduces
+    std::string reduce{"last"};  ///< one of sim::reductions
     double at{0};                ///< time for reduce = at [s]
     double value{0};
     double low{0}, high{0};  ///< accepted band

@@ -11,6 +11,7 @@
 #include "riprap/fluid/mps/mps_neighbours.hpp"
 #include "riprap/fluid/mps/mps_scratch.hpp"
 #include "riprap/fluid/mps/pressure.hpp"
+#include "riprap/fluid/mps/rest_density.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
@@ -83,6 +84,55 @@ TEST(MpsPressure, of_still_water_on_the_lattice_is_hydrostatic) {
         EXPECT_NEAR(scratch.data().water.pressure[i], 1000 * 9.81 * (surface - y), 6e-3 * 1000 * 9.81 * 0.5)
             << "y = " << y;
     }
+}
+
+/// Mean height of the water [m].
+double mean_height(const Basin& basin) {
+    double sum = 0;
+    for (const Vec3& x : basin.state.position) {
+        sum += x.y;
+    }
+    return sum / static_cast<double>(basin.state.size());
+}
+
+/// Force on the floor over the weight of the water.
+double carried(const Basin& basin) {
+    double floor = 0;
+    for (const Vec3& f : basin.walls.pressure_force) {
+        floor -= f.y;
+    }
+    return floor / (basin.report.mass * 9.81);
+}
+
+// By the count of the lattice alone it is carried by 0.8, 0.5 and 0.1 of its weight in the first step, and falls.
+TEST(Mps, still_water_that_begins_with_the_pressure_of_its_depth_is_carried_from_the_first_step_on_and_stays) {
+    for (const double share_of_step : {1.0, 0.4, 0.1}) {
+        Basin basin = still_basin(12);
+        mps::begin_with_pressure(basin.settings, 0, basin.state);
+        const double dt = share_of_step * choose_fluid_time_step(basin.settings, basin.state).limit;
+        const double start = mean_height(basin);
+        basin.step(dt);
+        EXPECT_NEAR(carried(basin), 1, 0.05) << share_of_step;
+        while (basin.time < 0.1 && basin.report.problem.empty()) {
+            basin.step(dt);
+        }
+        ASSERT_EQ(basin.report.problem, "");
+        EXPECT_NEAR(mean_height(basin), start, 1e-3 * start) << share_of_step;
+    }
+}
+
+TEST(Mps, a_pressure_to_begin_with_is_that_of_particles_just_placed_and_none_where_only_the_count_makes_pressure) {
+    Basin basin;
+    basin.settings = mps_settings(2, 0.1, 1);
+    basin.add_particle({0, 0, 0}, {}, 5000);
+    basin.add_particle({0, 0.1, 0}, {}, 4000);
+    mps::begin_with_pressure(basin.settings, 1, basin.state);
+    EXPECT_EQ(basin.state.dilution[0], 0);
+    EXPECT_NEAR(basin.state.dilution[1], 1e-8 / 0.01 * 4000, 1e-9);  // alpha_c p/gamma
+    basin.state.dilution[1] = 0;
+    basin.settings.divergence_share = 0;  // as in the source
+    mps::begin_with_pressure(basin.settings, 0, basin.state);
+    EXPECT_EQ(basin.state.dilution[1], 0);
 }
 
 TEST(Mps, still_water_weighs_on_the_floor_what_it_weighs_and_comes_to_rest) {

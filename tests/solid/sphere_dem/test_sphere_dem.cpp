@@ -60,10 +60,10 @@ TEST(SphereDem, ACubeOfACaseIsSampledFlushAndComesToRestOnItsFace) {
     Scene scene(0.01);
     double time = 0;
     const SolidReport report = scene.run(1.0, time);
-    EXPECT_EQ(scene.scratch.spheres.size(), 3 * 3 * 3 - 1);
-    EXPECT_EQ(scene.fields.walls.size(), 9U);
-    EXPECT_EQ(report.contact_count, 1);  // one pair of bodies
-    // Nine spheres of 1/30 m carry the weight: F = 4/3 E* sqrt(R) d^(3/2).
+    EXPECT_EQ(scene.scratch.spheres.size(), 6 * 2 * 2 + 12 * 2 + 8);  // faces, edges, corners
+    EXPECT_EQ(scene.fields.walls.size(), 16U);                        // four of the face, twelve of its outline
+    EXPECT_EQ(report.contact_count, 1);                               // one pair of bodies
+    // A spring of 1/30 m for each of nine cells carries the weight: F = 4/3 E* sqrt(R) d^(3/2).
     const double modulus = 1e7 / (2 * (1 - 0.09)), each = 900 * 0.008 * 9.81 / 9;
     const double depth = std::pow(each / (4.0 / 3 * modulus * std::sqrt(0.1 / 3)), 2.0 / 3);
     EXPECT_NEAR(scene.state.position[1].z, 0.1 - depth, 1e-6);

@@ -29,9 +29,10 @@ Polygon behind(const Polygon& polygon, const Vec3& n, double offset) {
 }
 
 /// Cuts off what lies in half-spaces.
-Polygon out_of_half_spaces(const FluidScene& scene, const body::Motion& motion, Polygon polygon, double slack) {
+Polygon out_of_half_spaces(const FluidScene& scene, const HydrostaticSettings& settings, const body::Motion& motion,
+                           Polygon polygon, double slack) {
     for (const body::Part& part : scene.bodies.parts) {
-        if (!scene.shapes.is_half_space(part.shape) || polygon.empty()) {
+        if (!scene.shapes.is_half_space(part.shape) || settings.passes(at(part.body.value)) || polygon.empty()) {
             continue;
         }
         const Pose& body = motion.pose[at(part.body.value)];
@@ -73,7 +74,7 @@ std::vector<WetPiece> wet_pieces(const FluidScene& scene, const HydrostaticSetti
                                  const body::Motion& motion, const std::vector<Vec3>& face, double slack) {
     std::vector<WetPiece> found;
     std::vector<Polygon> left;
-    if (Polygon out = out_of_half_spaces(scene, motion, face, slack); !out.empty()) {
+    if (Polygon out = out_of_half_spaces(scene, settings, motion, face, slack); !out.empty()) {
         left.push_back(std::move(out));
     }
     for (const HydrostaticSettings::Basin& basin : settings.basins) {

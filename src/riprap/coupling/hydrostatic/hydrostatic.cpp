@@ -33,6 +33,7 @@ void reach_over_periods(const fluid::Domain& domain, HydrostaticSettings::Basin&
 void HydrostaticSettings::prepare(const FieldScene& scene) {
     up = scene.up;
     levels = scene.levels;
+    is_dry = scene.is_dry;
     is_planar = scene.domain.dimension == 2;
     for (const FillRegion& region : scene.regions) {
         Basin basin{scene.domain.low, scene.domain.high, region.level};
@@ -132,7 +133,7 @@ HydrostaticFluid::HydrostaticFluid(const FluidScene& scene, const Settings& sett
     : scene_(&scene), settings_(&settings), scratch_(&scratch) {
     if (!scratch.is_made) {
         scratch.panels = cut_faces(
-            scene, settings.uplift == Uplift::full ? std::numeric_limits<double>::infinity() : settings.spacing);
+            scene, settings, settings.uplift == Uplift::full ? std::numeric_limits<double>::infinity() : settings.spacing);
         scratch.is_made = true;
     }
 }

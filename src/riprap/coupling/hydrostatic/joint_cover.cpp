@@ -69,10 +69,11 @@ void add_face(std::int32_t body, const std::vector<Vec3>& face, const Vec3& norm
     }
 }
 
-/// Tells whether a point lies in some other body.
-bool is_covered(const FluidScene& scene, const body::Motion& motion, std::int32_t body, const Vec3& x) {
+/// Tells whether a point lies in some other body that keeps water off.
+bool is_covered(const FluidScene& scene, const HydrostaticSettings& settings, const body::Motion& motion,
+                std::int32_t body, const Vec3& x) {
     for (const body::Part& part : scene.bodies.parts) {
-        if (part.body.value == body) {
+        if (part.body.value == body || settings.passes(at(part.body.value))) {
             continue;
         }
         const Pose& pose = motion.pose[at(part.body.value)];
@@ -108,10 +109,10 @@ Vec3 middle_of(const body::Motion& motion, const Panel& panel) {
 
 }  // namespace
 
-std::vector<Panel> cut_faces(const FluidScene& scene, double size) {
+std::vector<Panel> cut_faces(const FluidScene& scene, const HydrostaticSettings& settings, double size) {
     std::vector<Panel> panels;
     for (const body::Part& part : scene.bodies.parts) {
-        if (scene.shapes.is_half_space(part.shape)) {
+        if (scene.shapes.is_half_space(part.shape) || settings.passes(at(part.body.value))) {
             continue;
         }
         const double panel = may_move(scene.bodies, at(part.body.value)) ? size : HUGE_VAL;
@@ -135,7 +136,7 @@ std::vector<Panel> cut_faces(const FluidScene& scene, double size) {
 bool lies_on_another(const FluidScene& scene, const HydrostaticSettings& settings, const body::Motion& motion,
                      const Panel& panel) {
     const Vec3 outward = rotate(motion.pose[at(panel.body)].orientation, panel.normal);
-    return is_covered(scene, motion, panel.body,
+    return is_covered(scene, settings, motion, panel.body,
                       middle_of(motion, panel) + (lies_on_share * settings.spacing) * outward);
 }
 

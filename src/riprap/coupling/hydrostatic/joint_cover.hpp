@@ -11,10 +11,12 @@ namespace riprap::coupling {
 inline constexpr double lies_on_share = 0.05;
 
 /// Cuts the faces of all bodies that forces may move into panels no longer than `size` to either side [m]; faces stay
-/// whole where it is infinite. Faces between parts of one body and end faces of planar prisms are left out.
-std::vector<HydrostaticFluid::Panel> cut_faces(const FluidScene& scene, double size);
+/// whole where it is infinite. Faces between parts of one body, end faces of planar prisms and bodies that water passes
+/// through are left out.
+std::vector<HydrostaticFluid::Panel> cut_faces(const FluidScene& scene, const HydrostaticSettings& settings,
+                                               double size);
 
-/// Tells whether the middle of a panel lies on another body.
+/// Tells whether the middle of a panel lies on another body that keeps water off.
 bool lies_on_another(const FluidScene& scene, const HydrostaticSettings& settings, const body::Motion& motion,
                      const HydrostaticFluid::Panel& panel);
 

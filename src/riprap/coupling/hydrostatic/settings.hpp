@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -43,8 +44,12 @@ struct HydrostaticSettings {
     };
     std::vector<Basin> basins;
     std::vector<LevelAt> levels;  ///< of all basins; empty: each keeps its own
-    Vec3 up{0, 0, 1};             ///< [-]
+    std::vector<std::uint8_t> is_dry;  ///< per body: not there for the water; bodies beyond the end are wet
+    Vec3 up{0, 0, 1};                  ///< [-]
     bool is_planar{false};
+
+    /// Tells whether water passes through a body.
+    bool passes(std::size_t body) const { return body < is_dry.size() && is_dry[body] != 0; }
 
     /// Takes over the regions of the case.
     void prepare(const FieldScene& scene);

@@ -10,6 +10,7 @@
 #include "riprap/coupling/particle_walls/closed_pocket.hpp"
 #include "riprap/coupling/particle_walls/gauge_edges.hpp"
 #include "riprap/coupling/particle_walls/walls.hpp"
+#include "riprap/fluid/mps/rest_density.hpp"
 #include "riprap/fluid/open/leaving.hpp"
 #include "riprap/fluid/particle/sort.hpp"
 #include "riprap/fluid/schemes.hpp"
@@ -23,10 +24,25 @@ ParticleMethod::ParticleMethod(const FluidScene& scene, const Settings& water, c
         scratch.made_for = &water;
         scratch.scheme = make_scheme(water.scheme);
         scratch.bodies = describe_bodies(scene.bodies, water);
+        scratch.corners = find_corners(scene, water, state.bodies);
     }
 }
 
-void ParticleMethod::start() { start_openings(water_->open, water_->settings(), state_.particles, state_.open); }
+namespace {
+
+/// Completes the State of particles from the id `first` on, which have just been placed.
+void begin_particles(const ParticleFluid& water, std::int64_t first, fluid::ParticleState& particles) {
+    if (const auto* const mps = std::get_if<fluid::MpsSettings>(&water.scheme)) {
+        fluid::mps::begin_with_pressure(*mps, first, particles);
+    }
+}
+
+}  // namespace
+
+void ParticleMethod::start() {
+    start_openings(water_->open, water_->settings(), state_.particles, state_.open);
+    begin_particles(*water_, 0, state_.particles);
+}
 
 StepLimit ParticleMethod::limit() const {
     const fluid::FluidTimeStep step = scratch_->scheme->limit(state_.particles);
@@ -189,8 +205,10 @@ Outcome ParticleMethod::end(const TimeSpan& span, FluidStep& report) {
     state_.coupling.previous_dt = span.dt;
     if (!water_->open.empty()) {
         const Vec3 gravity = without_periodic(scene_->gravity.at(span.end()), water_->settings().domain);
+        const std::int64_t first = state_.open.next_id;
         report.passage = pass_openings(water_->open, water_->settings(), scratch.walls, scratch.near_numbers.size(),
                                        gravity, span.end(), span.dt, state_.open, state_.particles);
+        begin_particles(*water_, first, state_.particles);
     }
     let_splash_go(*water_, scene_->gravity.at(span.end()), span, state_.open, state_.particles, report.passage);
     if (report.passage.problem.empty() && is_time_to_look(water_->settings(), state_.particles, span)) {

@@ -7,7 +7,7 @@ namespace riprap::coupling {
 
 std::size_t ParticleScratch::bytes() const {
     return (scheme ? scheme->bytes() : 0) + walls.bytes() + penalty.bytes() + motion.bytes() + held_loads.bytes() +
-           joints.bytes() + extra_force.bytes() + sponge.force.bytes() + sponge.before.bytes() +
+           joints.bytes() + corners.bytes() + extra_force.bytes() + sponge.force.bytes() + sponge.before.bytes() +
            bytes_of(near_numbers) + bytes_of(bodies.kappa, bodies.is_still, bodies.is_loose, bodies.guard_share);
 }
 

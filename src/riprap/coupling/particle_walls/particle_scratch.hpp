@@ -10,6 +10,7 @@
 #include "riprap/coupling/particle_walls/joint_loads.hpp"
 #include "riprap/coupling/particle_walls/particle_fluid.hpp"
 #include "riprap/coupling/particle_walls/penalty_walls.hpp"
+#include "riprap/coupling/samples/corner_loads.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/particle_scheme.hpp"
@@ -29,6 +30,7 @@ struct ParticleScratch {
     std::unique_ptr<fluid::ParticleScheme> scheme;
     const ParticleFluid* made_for{nullptr};  ///< whose settings the scheme points to
     WallBodies bodies;
+    CornerLoads corners;
     fluid::BoundaryParticles walls;
     std::vector<std::int32_t> near_numbers;  ///< a copy of the State's near_samples: those that `walls` stand for
     PenaltyWalls penalty;

@@ -103,6 +103,14 @@ double fastest_of(const fluid::ParticleState& particles) {
 
 }  // namespace
 
+CornerLoads find_corners(const FluidScene& scene, const ParticleFluid& water, const body::BodyState& bodies) {
+    SampleSettings settings;
+    settings.spacing = water.settings().spacing;
+    settings.reach = water.settings().support_radius();
+    settings.is_dry = water.is_dry;
+    return {scene.shapes, scene.bodies, bodies, settings, water.samples};
+}
+
 void place_walls(const FluidScene& scene, const ParticleFluid& water, const fluid::OpenState& open, double time,
                  double ahead, ParticleScratch& scratch) {
     const SampleView samples(water.samples, scratch.near_numbers);
@@ -123,6 +131,7 @@ void gather_wall_loads(const FluidScene& scene, const ParticleFluid& water, cons
                        FluidLoads& loads) {
     const SampleView samples(water.samples, scratch.near_numbers);
     gather_loads(samples, scratch.motion, scratch.walls, loads);
+    scratch.corners.hand_over(samples, scratch.motion, scratch.walls, loads.pressure);
     if (const MovingSeams seams = seams_of(scene, water, scratch); !seams.empty()) {
         seams.hand_over(samples, scratch.walls, loads.pressure);
     }

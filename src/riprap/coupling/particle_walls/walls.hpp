@@ -14,6 +14,9 @@ namespace riprap::coupling {
 /// back: twice the water that its first layer would hold, as pressure is carried over about two spacings into the wall.
 WallBodies describe_bodies(const body::BodySet& bodies, const ParticleFluid& water);
 
+/// Finds what loads of still walls are handed over in corners.
+CornerLoads find_corners(const FluidScene& scene, const ParticleFluid& water, const body::BodyState& bodies);
+
 /// Notes in the State, and in the Scratch, which samples the water may feel in a step of `dt` from bodies that move as
 /// scratch.motion says. They are found anew when water may have come farther than the margin that was left the last
 /// time, which follows from the State alone.

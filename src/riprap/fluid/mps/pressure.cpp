@@ -307,7 +307,7 @@ linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleSt
             const double head = -dot(s.walls.head[w], separation(s.around.predicted[i], s.around.predicted_walls[w]));
             flux += s.walls.share[w] * s.around.walls.weight(e) * (head + s.walls.given[w]);
         }
-        s.equation.right[row] = stiffness * (s.around.density[i] - 1) + c * flux;
+        s.equation.right[row] = stiffness * (s.around.density[i] + state.dilution[i] - 1) + c * flux;
         if (flow > 0) {
             s.equation.right[row] -= flow * divergence(settings, state, s, separation, i);
         }

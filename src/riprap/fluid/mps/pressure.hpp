@@ -17,10 +17,11 @@ void set_up_pressure(const MpsSettings& settings, const ParticleState& state, co
 
 /// Solves the pressure equation with the right-hand side
 ///
-///     b_i = gamma rho_0/dt^2 (n**/n_0 - 1) - s rho_0/dt div u** + c rho_0 sum_w b_w W (g - a_w).(x_w - x_i) + c sum_w
-///     b_w W p_given,
+///     b_i = gamma rho_0/dt^2 (n**/n_0 + e_i - 1) - s rho_0/dt div u** + c rho_0 sum_w b_w W (g - a_w).(x_w - x_i) + c
+///     sum_w b_w W p_given,
 ///
-/// starting from the pressures of the step before, which are in scratch. Pressures below zero become zero.
+/// e the dilution of rest_density.hpp, starting from the pressures of the step before, which are in scratch. Pressures
+/// below zero become zero.
 linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleState& state,
                                    const BoundaryParticles& walls, const Vec3& gravity, double dt,
                                    MpsScratchData& scratch);

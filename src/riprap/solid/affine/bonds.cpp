@@ -15,15 +15,26 @@ namespace {
 
 bool has_strength(const Surface& surface) { return surface.cohesion > 0 || surface.tension > 0; }
 
+/// Edge of a cube as large as the block; infinite for ground [m].
+double size_of(const BlockSystem& system, std::int32_t block) {
+    const Shape& shape = system.shape_of(block);
+    return shape.is_convex() ? shape.size : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
-double smallest_size(const BlockSystem& system) {
-    double size = std::numeric_limits<double>::infinity();
+double bond_length(const BlockSystem& system, std::int32_t a, std::int32_t b) {
+    const double size = std::min(size_of(system, a), size_of(system, b));
+    return bond_tolerance * (std::isfinite(size) ? size : 1);
+}
+
+double largest_bond_length(const BlockSystem& system) {
+    double size = 0;
     for (std::int32_t b = 0; b < system.size(); ++b) {
-        const Shape& shape = system.shape_of(b);
-        size = shape.is_convex() ? std::min(size, shape.size) : size;
+        const double own = size_of(system, b);
+        size = std::isfinite(own) ? std::max(size, own) : size;
     }
-    return std::isfinite(size) ? size : 1;
+    return bond_tolerance * (size > 0 ? size : 1);
 }
 
 std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockState& state) {
@@ -36,9 +47,9 @@ std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockSt
     PlacedBlocks placed;
     place_blocks(loose, state, placed);
     ContactFinder finder;
-    for (const BlockContact& c : finder.find(loose, state, placed, {}, bond_tolerance * smallest_size(system))) {
+    for (const BlockContact& c : finder.find(loose, state, placed, {}, largest_bond_length(system))) {
         const std::uint64_t pair = contact::pair_key({c.a, c.b});
-        if (has_strength(system.surface_of(c.a, c.b)) && (pairs.empty() || pairs.back() != pair)) {
+        if (c.gap <= bond_length(system, c.a, c.b) && has_strength(system.surface_of(c.a, c.b)) && (pairs.empty() || pairs.back() != pair)) {
             pairs.push_back(pair);
         }
     }

@@ -19,18 +19,19 @@
 
 namespace riprap::solid::affine {
 
-/// Gap up to which faces count as touching, over the smallest block [-].
+/// Gap up to which two faces count as touching, over the smaller of their blocks [-].
 constexpr double bond_tolerance = 1e-4;
-
-/// Returns the edge of the smallest block that is convex, the cube root of its volume; 1 where there is none
-/// [m].
-double smallest_size(const BlockSystem& system);
 
 /// Returns the pairs of blocks that touch and whose surfaces have cohesion or tensile strength, ascending.
 std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockState& state);
 
-/// Returns the slip or gap by which a bond without tensile strength is lost: that up to which faces touch [m].
-inline double bond_length(const BlockSystem& system) { return bond_tolerance * smallest_size(system); }
+/// Returns the slip or gap by which a bond of two blocks without tensile strength is lost, that up to which their faces
+/// touch [m]: a share of the edge of the smaller one, the cube root of its volume; ground has no size. Other blocks of
+/// the scene have no part in it.
+double bond_length(const BlockSystem& system, std::int32_t a, std::int32_t b);
+
+/// Returns the largest of all pairs [m].
+double largest_bond_length(const BlockSystem& system);
 
 /// Returns how far apart a bonded contact may be before it tears [m]: T A/k, A bounded by the largest block.
 double tearing_gap(const BlockSystem& system);

@@ -73,9 +73,10 @@ contact::PenaltySprings springs_of(const affine::Surface& surface, double area, 
 
 ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state, const std::vector<Mat3>& softness,
                       const affine::BlockContactHistory& history, const BlockContact& contact, double damped_mobility,
-                      double bond_length, double time) {
+                      double time) {
     const Side a(system, state, softness, contact.a, contact.on_a), b(system, state, softness, contact.b, contact.on_b);
     auto springs = springs_of(system.surface_of(contact.a, contact.b), contact.area, damped_mobility);
+    const double bond_length = affine::bond_length(system, contact.a, contact.b);
     springs.bond_slip = bond_length;
     contact::PenaltyMotion motion{contact.normal, contact.gap, a.velocity - b.velocity, time, {}, false};
     if (contact.old >= 0) {
@@ -138,7 +139,7 @@ void add_shares(const BlockContact& contact, const ContactForce& found, Scratch&
 
 /// Adds up loads and bounds of all contact points and remembers those that are closed: once along the list, which is
 /// longer than any cache.
-void sum_and_remember(const affine::BlockState& state, double dt, double bond_tolerance, Scratch& scratch,
+void sum_and_remember(const BlockSystem& system, const affine::BlockState& state, double dt, Scratch& scratch,
                       affine::BlockContactHistory& history, StepReport& report) {
     scratch.loads.assign(state.position.size(), {});
     scratch.squared.assign(state.position.size(), 0);
@@ -155,7 +156,8 @@ void sum_and_remember(const affine::BlockState& state, double dt, double bond_to
         add_shares(contact, found, scratch);
         report.dashpot_loss += dt * answer.dashpot_power;
         if (has_bonds) {
-            bonds.look_at(contact, found.was_intact, !answer.is_open, answer.is_intact, bond_tolerance);
+            bonds.look_at(contact, found.was_intact, !answer.is_open, answer.is_intact,
+                          affine::bond_length(system, contact.a, contact.b));
         }
         if (contact.old >= 0 && (!answer.is_open || has_torn(contact, found))) {
             scratch.is_carried[at(contact.old)] = 1;
@@ -296,8 +298,9 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     laps.end(scratch.times.move_bodies);
     std::swap(scratch.old, state.contacts);
     // Contacts that are apart take part where bonds hold them.
-    const double touching = scratch.old.bonded.empty() && !has_intact(scratch.old) ? 0 : affine::bond_length(system);
-    const double reach = touching > 0 ? std::max(touching, affine::tearing_gap(system)) : 0;
+    const bool has_bonds = !scratch.old.bonded.empty() || has_intact(scratch.old);
+    const double reach =
+        has_bonds ? std::max(affine::largest_bond_length(system), affine::tearing_gap(system)) : 0;
     const std::vector<BlockContact>& contacts =
         scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, reach);
     laps.end(scratch.times.find_contacts);
@@ -307,9 +310,9 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     const std::vector<double> mobility = pair_mobility(system, state.blocks, contacts);
     parallel::for_each_uneven(static_cast<std::int64_t>(contacts.size()), 64, [&](std::int64_t i) {
         scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.softness, scratch.old, contacts[at(i)],
-                                         mobility.empty() ? 1 : mobility[at(i)], touching, time);
+                                         mobility.empty() ? 1 : mobility[at(i)], time);
     });
-    sum_and_remember(state.blocks, dt, touching, scratch, state.contacts, report);
+    sum_and_remember(system, state.blocks, dt, scratch, state.contacts, report);
     laps.end(scratch.times.contact_loads);
     book_lost_contacts(scratch, state.contacts, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);

@@ -99,17 +99,16 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
     report = {};
     Laps laps;
     const double size = smallest_block(system);
-    const double tearing = state.contacts.bonded.empty() ? 0 : affine::tearing_gap(system);
-    const double reach =
-        std::max(settings.reach * size, tearing) + std::min(way_of_step(system, state.blocks, dt), size);
-    const double bond_length =
-        state.contacts.bonded.empty() && !has_intact(state.contacts) ? 0 : affine::bond_length(system);
+    const bool has_bonds = !state.contacts.bonded.empty() || has_intact(state.contacts);
+    const double bonded =
+        has_bonds ? std::max(affine::largest_bond_length(system), affine::tearing_gap(system)) : 0;
+    const double reach = std::max(settings.reach * size, bonded) + std::min(way_of_step(system, state.blocks, dt), size);
     number_rows(system, scratch);
     place_blocks(system, state.blocks, scratch.placed);
     const auto& found = scratch.finder.find(system, state.blocks, scratch.placed, state.contacts, reach);
     scratch.contacts.resize(found.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(found.size()), 64, [&](std::int64_t i) {
-        scratch.contacts[at(i)] = make_term(system, state, scratch, found[at(i)], bond_length, dt);
+        scratch.contacts[at(i)] = make_term(system, state, scratch, found[at(i)], dt);
     });
     laps.end(scratch.times.find_contacts);
     fill_blocks(system, fixed_points, settings, dt, external, state.blocks, scratch);
@@ -129,7 +128,7 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
     if (settings.dynamic != 1) {
         report.static_loss = (1 - settings.dynamic * settings.dynamic) * measure(system, state.blocks).kinetic;
     }
-    remember(scratch, bond_length, state.contacts, report);
+    remember(scratch, state.contacts, report);
     laps.end(scratch.times.measure);
     move_blocks(system, settings, dt, scratch, state.blocks);
     laps.end(scratch.times.move_bodies);

@@ -9,7 +9,7 @@ namespace riprap::solid::implicit_dda {
 
 /// Makes the term of a contact point: springs, gap, and the mode and elastic slip that the history remembers.
 ContactTerm make_term(const affine::BlockSystem& system, const State& state, const Scratch& scratch,
-                      const affine::BlockContact& found, double bond_length, double dt);
+                      const affine::BlockContact& found, double dt);
 
 /// Fills inertia, elasticity, loads, stress and fixed points of every row.
 void fill_blocks(const affine::BlockSystem& system, const std::vector<FixedPoint>& fixed_points,
@@ -25,6 +25,6 @@ void book_blocks(const affine::BlockSystem& system, const affine::BlockLoads& ex
 
 /// Keeps contacts that are closed or bonded in the history, with the slip that their shear springs hold, and bonds that
 /// are left; books energies of contacts.
-void remember(Scratch& scratch, double bond_length, affine::BlockContactHistory& history, StepReport& report);
+void remember(Scratch& scratch, affine::BlockContactHistory& history, StepReport& report);
 
 }  // namespace riprap::solid::implicit_dda

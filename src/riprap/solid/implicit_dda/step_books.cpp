@@ -22,7 +22,7 @@ void reserve(affine::BlockContactHistory& history, std::size_t count) {
 
 }  // namespace
 
-void remember(Scratch& scratch, double bond_length, affine::BlockContactHistory& history, StepReport& report) {
+void remember(Scratch& scratch, affine::BlockContactHistory& history, StepReport& report) {
     std::swap(scratch.old, history);
     history.clear();
     reserve(history, scratch.contacts.size());
@@ -54,7 +54,7 @@ void remember(Scratch& scratch, double bond_length, affine::BlockContactHistory&
         const bool is_closed = trial.mode != ContactMode::open;
         const bool is_intact = stays_intact(found, c);
         if (has_bonds) {
-            bonds.look_at(found, trial.is_intact, is_closed, is_intact, bond_length);
+            bonds.look_at(found, trial.is_intact, is_closed, is_intact, c.springs.bond_length);
         }
         if (!is_closed && !is_intact) {
             continue;

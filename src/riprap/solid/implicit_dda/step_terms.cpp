@@ -31,7 +31,7 @@ Vec3 prescribed_motion(const BlockSystem& system, const affine::BlockState& stat
 }  // namespace
 
 ContactTerm make_term(const BlockSystem& system, const State& state, const Scratch& scratch,
-                      const affine::BlockContact& found, double bond_length, double dt) {
+                      const affine::BlockContact& found, double dt) {
     ContactTerm c{};
     c.row_a = scratch.row[at(found.a)];
     c.row_b = scratch.row[at(found.b)];
@@ -39,7 +39,8 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
     c.arm_b = found.on_b - state.blocks.position[at(found.b)];
     c.normal = found.normal;
     c.springs = springs_of(system.surface_of(found.a, found.b), found.area);
-    c.springs.bond_length = c.springs.cohesion > 0 || c.springs.tension > 0 ? bond_length : 0;
+    const bool has_strength = c.springs.cohesion > 0 || c.springs.tension > 0;
+    c.springs.bond_length = has_strength ? affine::bond_length(system, found.a, found.b) : 0;
     c.prescribed = prescribed_motion(system, state.blocks, found.a, found.on_a, dt) -
                    prescribed_motion(system, state.blocks, found.b, found.on_b, dt);
     c.gap = found.gap - dot(found.normal, c.prescribed);

@@ -192,6 +192,8 @@ Contact make_contact(const Scene& scene, std::int32_t corner, std::int32_t edge,
     remember(scene, contact, where);
     contact.slip = slip_of(where, contact.lock);
     if (contact.joint.cohesion > 0 || contact.joint.tension > 0) {
+        const double smaller = std::min(model.area[at(contact.a)], model.area[at(contact.b)]);
+        contact.bond_slip = scene.settings.bond_share * std::sqrt(smaller);
         contact.bond_length = share * half_overlap(scene, contact) * model.thickness;
     }
     return contact;
@@ -313,7 +315,8 @@ std::int32_t bond_contacts(const Model& model, const Settings& settings, double 
     state.contact_plastic_slip.clear();
     state.contact_force.clear();
     for (const Contact& contact : contacts) {
-        if (std::abs(contact.gap.value) > tolerance || contact.foot < -foot_slack || contact.foot > 1 + foot_slack) {
+        const double most = settings.bond_share > 0 ? std::min(tolerance, contact.bond_slip) : tolerance;
+        if (std::abs(contact.gap.value) > most || contact.foot < -foot_slack || contact.foot > 1 + foot_slack) {
             continue;
         }
         state.contact_corner.push_back(contact.corner);

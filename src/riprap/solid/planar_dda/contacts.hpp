@@ -17,6 +17,7 @@ struct Contact {
     double multiplier{0};    ///< [N]
     double plastic_slip{0};  ///< see State::contact_plastic_slip [m]
     double bond_length{0};   ///< half of the length along which two faces overlap; 0 for a corner alone [m]
+    double bond_slip{0};     ///< slip or gap by which the bond is lost; see affine/bonds.hpp [m]
     double edge_length{0};   ///< [m]
     double foot{0};          ///< of the corner along the edge, 0 to 1 [-]
     double share{1};         ///< of the joint's springs: 1/2 where the edge's corner bears the other half [-]
@@ -53,7 +54,8 @@ void find_pairs(const Model& model, const std::vector<Vec2>& corners, double rea
 void find_contacts(const Model& model, const State& state, const Settings& settings, const std::vector<Vec2>& corners,
                    ContactSearch& search, std::vector<Contact>& contacts);
 
-/// Closes and bonds all contacts whose gap is at most `tolerance` [m]: joints that hold before the first step.
+/// Closes and bonds all contacts whose gap is at most `tolerance` [m], and, where Settings::bond_share is given, at most
+/// Contact::bond_slip: joints that hold before the first step.
 /// @returns their number
 std::int32_t bond_contacts(const Model& model, const Settings& settings, double tolerance, State& state);
 

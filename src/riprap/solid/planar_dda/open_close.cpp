@@ -145,7 +145,7 @@ int break_bonds(const Settings& settings, Scratch& scratch) {
     return broken;
 }
 
-void end_bonds(const Settings& settings, Scratch& scratch) {
+void end_bonds(Scratch& scratch) {
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         const Contact& contact = scratch.contacts[k];
         Trial& trial = scratch.trials[k];
@@ -159,8 +159,8 @@ void end_bonds(const Settings& settings, Scratch& scratch) {
         } else {
             trial.plastic_slip += std::abs(trial.slip - trial.slip_start);  // without springs all of the motion is slip
         }
-        const bool may_be_apart = contact.joint.tension == 0 && trial.gap <= settings.bond_length;
-        trial.is_bonded = (trial.mode == Mode::sliding || may_be_apart) && trial.plastic_slip <= settings.bond_length;
+        const bool may_be_apart = contact.joint.tension == 0 && trial.gap <= contact.bond_slip;
+        trial.is_bonded = (trial.mode == Mode::sliding || may_be_apart) && trial.plastic_slip <= contact.bond_slip;
         trial.has_broken = !trial.is_bonded;
         if (trial.has_broken) {
             trial.kept = std::copysign(std::min(std::abs(trial.kept), shear_limit(contact, trial)), trial.kept);

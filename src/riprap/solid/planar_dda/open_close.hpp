@@ -36,8 +36,8 @@ Changes update_modes(const Settings& settings, double dt, Scratch& scratch);
 int break_bonds(const Settings& settings, Scratch& scratch);
 
 /// Adds up the plastic slip of bonds after the step and breaks those that have slid or opened by more than
-/// Settings::bond_length; see affine/bonds.hpp for why a length decides.
-void end_bonds(const Settings& settings, Scratch& scratch);
+/// Contact::bond_slip; see affine/bonds.hpp for why a length decides.
+void end_bonds(Scratch& scratch);
 
 /// lambda <- max(0, lambda - p d) of closed contacts [Ding2021, eq. 2.9]. @returns the largest gap left [m]
 double update_multipliers(Scratch& scratch);

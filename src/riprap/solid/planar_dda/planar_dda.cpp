@@ -32,7 +32,7 @@ planar_dda::Settings settings_of(const PlanarDdaSettings& given, double smallest
     settings.displacement_limit = given.max_displacement * smallest;
     settings.close_tolerance = settings.open_tolerance = 1e-11 * smallest;
     settings.multiplier_tolerance = 1e-10 * smallest;
-    settings.bond_length = affine::bond_tolerance * smallest;
+    settings.bond_share = affine::bond_tolerance;
     return settings;
 }
 
@@ -43,12 +43,12 @@ bool is_damped(const planar_dda::Model& model) {
     return std::ranges::any_of(model.joints, [](const planar_dda::Joint& joint) { return joint.damping_ratio > 0; });
 }
 
-/// Bonds faces that touch at the start, to a ten-thousandth of the smallest block, where their joint has cohesion or
+/// Bonds faces that touch at the start, to a ten-thousandth of the smaller block of the pair, where their joint has cohesion or
 /// tensile strength.
 void bond_faces(const planar_dda::SceneBlocks& scene, const planar_dda::Settings& settings, planar_dda::State& state) {
     const auto has_bond = [](const planar_dda::Joint& joint) { return joint.cohesion > 0 || joint.tension > 0; };
     if (std::any_of(scene.model.joints.begin(), scene.model.joints.end(), has_bond)) {
-        bond_contacts(scene.model, settings, settings.bond_length, state);
+        bond_contacts(scene.model, settings, std::numeric_limits<double>::infinity(), state);
         planar_dda::drop_contacts(state, [&](std::size_t k) {
             return !has_bond(scene.model.joint(scene.model.corner_block[at(state.contact_corner[k])],
                                                scene.model.corner_block[at(state.contact_edge[k])]));

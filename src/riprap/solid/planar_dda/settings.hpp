@@ -23,7 +23,8 @@ struct Settings {
                                       ///< times as far
     double close_tolerance{1e-9};     ///< an open contact closes below -this gap [m]
     double open_tolerance{1e-9};      ///< a closed contact opens when its spring is stretched by more [m]
-    double bond_length{0};            ///< slip or gap by which a bond without tensile strength is lost [m]
+    double bond_share{0};             ///< slip or gap by which a bond without tensile strength is lost, over the side
+                                      ///< of a square as large as the smaller block of the pair [-]
     double angle_tolerance{0.0523598775598};  ///< by which a corner may lean into an edge, 3 degrees [rad]
     int max_iterations{8};                    ///< open-close iterations of one step
     double friction_tolerance{1e-6};    ///< change of friction between iterations over the largest normal force [-]

@@ -236,7 +236,7 @@ Outcome advance(const Model& model, const Settings& settings, const Step& step, 
         outcome = accept_or_refuse(settings, scratch, report);
     }
     if (outcome.ok()) {
-        end_bonds(settings, scratch);
+        end_bonds(scratch);
         accept(model, settings, step, state, scratch);
     }
     laps.end(scratch.times.move_bodies);

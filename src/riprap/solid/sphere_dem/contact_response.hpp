@@ -42,6 +42,7 @@ struct ContactMotion {
     T damping_weight;             ///< the same of its dashpots [-]
     T count;                      ///< of equal contacts of the pair of bodies [-]
     T dt;                         ///< since the last step [s]
+    T cohesion{};                 ///< strength that is there without a normal force [N]; see Laws::has_cohesion
 };
 
 /// Force on A and books of one contact or of eight.
@@ -55,12 +56,18 @@ struct ContactResponse {
 /// Laws of a contact besides friction, as the settings choose them.
 struct ChosenLaws {
     const SphereSettings& settings;
+    static constexpr bool has_cohesion = false;
     bool is_hertz() const { return settings.normal == contact::NormalLaw::hertz; }
     contact::RollingLaw rolling() const { return settings.rolling; }
+};
+/// The same of surfaces that cohere.
+struct CohesiveLaws : ChosenLaws {
+    static constexpr bool has_cohesion = true;
 };
 /// The defaults, known to the compiler: Hertz without resistance to rolling.
 struct DefaultLaws {
     const SphereSettings& settings;
+    static constexpr bool has_cohesion = false;
     static constexpr bool is_hertz() { return true; }
     static constexpr contact::RollingLaw rolling() { return contact::RollingLaw::none; }
 };
@@ -94,6 +101,12 @@ template <class T, class Laws, class Law>
         is_hertz ? T(8.0) * pair.shear_modulus * normal.width : pair.shear_ratio * pair.normal_stiffness;
     const T old_shear_stiffness = contact::larger(spring.stiffness, -spring.stiffness);
 
+    contact::Friction<T> limits{pair.static_friction, pair.kinetic_friction};
+    if constexpr (Laws::has_cohesion) {  // mu F_n + c A
+        const auto is_pressed = pressing > zero;
+        const T added = contact::choose(is_pressed, motion.cohesion / contact::larger(pressing, T(1e-300)), zero);
+        limits = {limits.at_rest + added, limits.in_motion + added};
+    }
     const contact::TangentialResponse<T> shear = friction.template respond<T>(
         {.normal = motion.normal,
          .old_normal = motion.old_normal,
@@ -105,7 +118,7 @@ template <class T, class Laws, class Law>
          .damping = damping,
          .weight = motion.weight,
          .normal_force = pressing,
-         .friction = {pair.static_friction, pair.kinetic_friction},
+         .friction = limits,
          .dt = motion.dt},
         spring);
     ContactResponse<T> out;

@@ -23,8 +23,7 @@ void for_each_contact(const SphereModel& model, const SphereState& state, const 
              std::min(one.radius, other.radius));
     }
     for (const WallContact& wall : scratch.walls) {
-        take(model.spheres.body[at(wall.sphere)], wall_body(model, wall.wall), wall.overlap,
-             model.spheres.radius[at(wall.sphere)]);
+        take(model.spheres.body[at(wall.sphere)], wall_body(model, wall.wall), wall.overlap, wall.room);
     }
 }
 

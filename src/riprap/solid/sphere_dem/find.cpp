@@ -21,6 +21,17 @@ std::uint64_t key_of(const Slots& slots, std::size_t slot) {
     return static_cast<std::uint64_t>(slots.a[slot]) << 32 | static_cast<std::uint64_t>(slots.b[slot]);
 }
 
+/// Of a sampled body, is the sphere one that meets such a wall? Triangles have no inside: the sharp samples of edges
+/// could come through, so round ones meet them, which keep a radius off the edge. Parts meet the sharp ones.
+bool is_for(const SphereModel& model, std::int32_t sphere, std::int32_t wall) {
+    const SphereSet& spheres = model.spheres;
+    const bool is_triangle = wall >= model.bodies.part_count();
+    if (spheres.is_sampled[at(spheres.body[at(sphere)])] == 0 || spheres.face_normal[at(sphere)] != Vec3{}) {
+        return true;
+    }
+    return spheres.is_sharp(sphere) != is_triangle;
+}
+
 /// Sorts the pairs of the search into slots of spheres and candidates with walls.
 void fill_slots(const SphereModel& model, SphereScratch& scratch) {
     Slots& slots = scratch.slots;
@@ -36,7 +47,8 @@ void fill_slots(const SphereModel& model, SphereScratch& scratch) {
                 slots.b.push_back(pair.b);
             }
         } else if (pair.a < spheres && scratch.placed.radius[at(pair.b)] > 0 &&
-                   (model.spheres.count_of(b) == 0 || model.spheres.meets_surface(a, b))) {
+                   (model.spheres.count_of(b) == 0 || model.spheres.touches(pair.a, b)) &&
+                   is_for(model, pair.a, pair.b - spheres)) {
             scratch.wall_pairs.push_back({pair.a, pair.b - spheres});
         }
     }
@@ -236,13 +248,17 @@ double carry_springs(bool has_rolling, bool are_same_slots, Springs& springs, Sp
 
 }  // namespace
 
-double find_contacts(const SphereModel& model, SphereState& state, SphereScratch& scratch) {
+void find_candidates(const SphereModel& model, SphereScratch& scratch) {
     const Placed& placed = scratch.placed;
     const contact::PartBounds bounds{placed.center, placed.radius, placed.body, placed.is_mobile};
     if (scratch.pairs.update(bounds, placed.giants,
                              {model.settings.skin * placed.median_radius, model.settings.grid_factor})) {
         fill_slots(model, scratch);
     }
+}
+
+double find_contacts(const SphereModel& model, SphereState& state, SphereScratch& scratch) {
+    find_candidates(model, scratch);
     const bool are_same = !scratch.slots.is_fresh && scratch.evaluations == state.evaluations;
     const bool have_changed = look(scratch);
     return have_changed || !are_same

@@ -9,11 +9,13 @@
 #include <limits>
 #include <utility>
 
-#include "riprap/body/fill_section.hpp"
+#include "riprap/body/ground.hpp"
 #include "riprap/body/may_move.hpp"
-#include "riprap/body/multisphere.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/geometry/shapes.hpp"
+#include "riprap/solid/sphere_dem/box_samples.hpp"
+#include "riprap/solid/sphere_dem/convex_samples.hpp"
+#include "riprap/solid/sphere_dem/default_stiffness.hpp"
 
 namespace riprap::solid::sphere_dem {
 
@@ -55,18 +57,62 @@ bool is_round(const body::BodySet& bodies, const geometry::ShapeSet& shapes, std
            });
 }
 
-/// Samples of a part, in its own frame.
-geometry::Outcome<body::Multisphere> sample_part(const geometry::Polyhedron& shape, double radius, bool is_planar) {
-    Vec3 size = extent(shape);
-    const bool is_a_box = is_box(shape, size);
-    if (is_planar) {
-        size.z = 2 * radius;
+/// Radius of the samples of a part that may be smaller than others [m].
+double radius_in(const geometry::ConvexView& part, double radius) {
+    return std::min(radius, part.inscribed_radius * (1 - 1e-9));
+}
+
+/// What the samples of a scene have to meet.
+struct Sampling {
+    double radius{0};  ///< [m]
+    bool is_planar{false};
+    bool meets_triangles{false};
+};
+
+/// Radius of the samples of edges [m].
+double sharp_radius(const geometry::ConvexView& part, double of_faces) {
+    return std::min(sharp_share * of_faces, 0.25 * part.inscribed_radius);
+}
+
+/// Samples of the surface of a part, in its own frame.
+geometry::Outcome<std::vector<SurfaceSample>> sample_part(const geometry::ShapeSet& shapes, ShapeId part,
+                                                          const Sampling& sampling) {
+    constexpr double most = 8e6;  // of one part
+    const geometry::Polyhedron shape = shapes.polyhedron(part);
+    const geometry::ConvexView view = shapes.view(part);
+    const double r = radius_in(view, sampling.radius);
+    if (const Vec3 size = extent(shape); is_box(shape, size)) {
+        const BoxSampling box{size, r, sharp_radius(view, r), sampling.is_planar, sampling.meets_triangles};
+        if (const double count = box_sample_count(box); count > most) {
+            return geometry::GeometryProblem{
+                fmt::format("a shell of about {:.2g} spheres of radius {:.3g} m", count, r),
+                "larger spheres, at most 8 million of them"};
+        }
+        return box_samples(box);
     }
-    const double r = std::min({radius, 0.5 * size.x, 0.5 * size.y, 0.5 * size.z});
-    if (!is_a_box) {
-        return is_planar ? body::fill_section(shape, 2 * r) : body::fill_surface(shape, 2 * r);
+    if (const double count = sample_estimate(view, r); count > most) {
+        return geometry::GeometryProblem{fmt::format("about {:.2g} samples of radius {:.3g} m", count, r),
+                                         "larger spheres, at most 8 million of them"};
     }
-    return is_planar ? body::rectangle_shell(size, r) : body::box_shell(size, r);
+    std::vector<SurfaceSample> samples = face_samples(view, r, sampling.is_planar, sampling.meets_triangles);
+    const std::vector<SurfaceSample> edges = edge_samples(view, sharp_radius(view, r), r, sampling.is_planar);
+    samples.insert(samples.end(), edges.begin(), edges.end());
+    return samples;
+}
+
+/// Adds the samples of the edges and corners of a body that cannot move.
+void add_edges(const SolidScene& scene, std::int32_t b, double radius, SphereSet& spheres) {
+    const body::BodySet& bodies = scene.bodies;
+    for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
+        const body::Part& part = bodies.parts[at(p)];
+        const geometry::ConvexView shape = scene.shapes.view(part.shape);
+        if (shape.vertex_count == 0) {
+            continue;  // a half-space
+        }
+        for (const SurfaceSample& sample : edge_samples(shape, sharp_radius(shape, radius), radius, bodies.is_planar)) {
+            spheres.add_sample(BodyId{b}, part.local, sample, bodies.is_planar);
+        }
+    }
 }
 
 /// Radius of the sphere or disc of a body's volume.
@@ -103,6 +149,13 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
     SphereSet spheres;
     std::vector<std::uint8_t> is_sampled(at(bodies.size()), 0);
     const double radius = radius_of_samples(bodies, shapes, settings);
+    Sampling sampling{radius, bodies.is_planar, false};
+    bool is_any_sampled = false;  // else no sample of an edge meets anything
+    for (std::int32_t b = 0; b < bodies.size() && settings.sampling == SphereSampling::surface; ++b) {
+        is_any_sampled =
+            is_any_sampled || (may_move(bodies, at(b)) && given[at(b)] == nullptr && !is_round(bodies, shapes, at(b)));
+        sampling.meets_triangles = sampling.meets_triangles || body::is_ground(bodies, shapes, BodyId{b});
+    }
     // A body that cannot be sampled stands as one sphere, for its problem to be told.
     const auto refuse = [&](std::int32_t body, const geometry::GeometryProblem& problem) {
         spheres.add(BodyId{body}, radius_of_volume(bodies, scene.materials, at(body)));
@@ -121,6 +174,10 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
             continue;
         }
         if (!may_move(bodies, at(b))) {
+            if (is_any_sampled && !body::is_ground(bodies, shapes, BodyId{b})) {
+                add_edges(scene, b, radius, spheres);
+                is_sampled[at(b)] = 1;
+            }
             continue;
         }
         if (settings.sampling == SphereSampling::one || is_round(bodies, shapes, at(b))) {
@@ -138,20 +195,23 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
         is_sampled[at(b)] = 1;
         for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
             const body::Part& part = bodies.parts[at(p)];
-            const auto samples = sample_part(shapes.polyhedron(part.shape), radius, bodies.is_planar);
+            const auto samples = sample_part(shapes, part.shape, sampling);
             if (!samples) {
                 refuse(b, samples.problems().front());
                 break;
             }
-            for (const body::ShapeSphere& s : samples.value().spheres) {
-                Vec3 centre = to_world(part.local, s.centre);
-                centre.z = bodies.is_planar ? 0 : centre.z;
-                spheres.add(BodyId{b}, s.radius, centre, rotate(part.local.orientation, s.face_normal));
+            for (const SurfaceSample& sample : samples.value()) {
+                spheres.add_sample(BodyId{b}, part.local, sample, bodies.is_planar);
             }
         }
     }
     spheres.finish(bodies.size());
     spheres.is_sampled = std::move(is_sampled);
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        if (spheres.is_sampled[at(b)] != 0 && !may_move(bodies, at(b))) {
+            spheres.extent[at(b)] = std::numeric_limits<double>::infinity();
+        }
+    }
     return spheres;
 }
 
@@ -160,12 +220,12 @@ namespace {
 /// Returns the contact values of a material, completed by the settings.
 contact::ContactMaterial own_values(const material::Material& material, const SphereDemSettings& settings) {
     contact::ContactMaterial own;
-    own.youngs_modulus = material.youngs_modulus.value_or(settings.youngs_modulus);
+    own.youngs_modulus = material.youngs_modulus.value_or(modulus_of(settings));
     own.poisson_ratio = material.poisson_ratio.value_or(settings.poisson_ratio);
     own.restitution = material.restitution.value_or(settings.restitution);
     own.rolling_friction = material.rolling_friction.value_or(settings.rolling_friction);
     own.contact_ratio = settings.contact_ratio.value_or(own.contact_ratio);
-    own.normal_stiffness = settings.spring_stiffness;
+    own.normal_stiffness = spring_of(settings);
     own.shear_ratio = settings.shear_ratio;
     return own;
 }
@@ -203,6 +263,18 @@ contact::ContactTable pair_table(const material::MaterialSet& materials, const S
         }
     }
     return table;
+}
+
+std::vector<double> cohesion_table(const material::MaterialSet& materials) {
+    std::vector<double> table;
+    bool is_any = false;
+    for (std::int32_t a = 0; a < materials.size(); ++a) {
+        for (std::int32_t b = 0; b < materials.size(); ++b) {
+            table.push_back(materials.pair(MaterialId{a}, MaterialId{b}).cohesion);
+            is_any = is_any || table.back() > 0;
+        }
+    }
+    return is_any ? table : std::vector<double>{};
 }
 
 }  // namespace riprap::solid::sphere_dem

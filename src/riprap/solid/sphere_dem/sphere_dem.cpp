@@ -14,6 +14,7 @@
 #include "riprap/core/timer.hpp"
 #include "riprap/solid/sphere_dem/advance.hpp"
 #include "riprap/solid/sphere_dem/deepest_contact.hpp"
+#include "riprap/solid/sphere_dem/default_stiffness.hpp"
 #include "riprap/solid/sphere_dem/move_spheres.hpp"
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
 #include "riprap/solid/sphere_dem/show_contacts.hpp"
@@ -23,11 +24,14 @@ namespace riprap::solid {
 
 namespace {
 
+/// Steps of a run, at least, with the default share of 0.15 [-].
+constexpr double least_steps = 1000;
+
 /// Names the key that makes contacts stiff enough, with its value now.
 std::string stiffer(const SphereDemSettings& settings) {
     return settings.laws.normal == contact::NormalLaw::hertz
-               ? fmt::format("a solid.youngs_modulus above {:.4g} Pa", settings.youngs_modulus)
-               : fmt::format("a solid.spring_stiffness above {:.4g} N/m", settings.spring_stiffness);
+               ? fmt::format("a solid.youngs_modulus above {:.4g} Pa", sphere_dem::modulus_of(settings))
+               : fmt::format("a solid.spring_stiffness above {:.4g} N/m", sphere_dem::spring_of(settings));
 }
 
 }  // namespace
@@ -42,6 +46,11 @@ double SphereDem::smallest_stand_in(const body::BodySet& bodies, const geometry:
                                     const Settings& settings) {
     return settings.sampling == SphereSampling::surface ? sphere_dem::radius_of_samples(bodies, shapes, settings)
                                                         : std::numeric_limits<double>::infinity();
+}
+
+SphereDemSettings SphereDem::completed(const SolidScene& scene, const Settings& settings, const body::BodyState& state,
+                                       double speed) {
+    return sphere_dem::completed(scene, settings, state, speed);
 }
 
 std::vector<SceneProblem> SphereDem::problems_of(const SolidScene& scene, const Settings& settings,
@@ -71,7 +80,9 @@ std::vector<BodyKind> SphereDem::kinds_of(const SolidScene& scene, const Setting
     const sphere_dem::SphereSet spheres = sphere_dem::sample_bodies(scene, settings);
     std::vector<BodyKind> kinds;
     for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
-        kinds.push_back(spheres.count_of(b) > 0 ? BodyKind::spheres : BodyKind::faces);
+        const bool keeps_faces =
+            spheres.count_of(b) == 0 || (spheres.is_sampled[at(b)] != 0 && !may_move(scene.bodies, at(b)));
+        kinds.push_back(keeps_faces ? BodyKind::faces : BodyKind::spheres);
     }
     return kinds;
 }
@@ -95,6 +106,7 @@ SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const So
             scratch.triangles.add(ground.body, mesh.points, corners);
         }
         scratch.table = sphere_dem::pair_table(scene.materials, settings);
+        scratch.cohesion = sphere_dem::cohesion_table(scene.materials);
         for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
             const bool has_spheres = scratch.spheres.count_of(b) > 0;
             scratch.faces.left_out.push_back(has_spheres ? 1 : 0);
@@ -105,12 +117,30 @@ SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const So
 }
 
 sphere_dem::SphereModel SphereDem::model() const {
-    return {scene_->bodies, scene_->shapes, scratch_->spheres, scratch_->triangles, scratch_->table, settings_->laws};
+    return {scene_->bodies,  scene_->shapes,  scratch_->spheres, scratch_->triangles,
+            scratch_->table, settings_->laws, scratch_->cohesion};
+}
+
+StepLimit SphereDem::lasting_limit() const {
+    const sphere_dem::SphereStep step = step_limit(model(), state_.bodies, norm(scene_->gravity.value));
+    const StepLimit of_spheres{step.limit * settings_->laws.steps_per_contact / 7.5, false, step.reason};
+    return shorter_of(of_spheres);
 }
 
 StepLimit SphereDem::limit() const {
-    const sphere_dem::SphereStep step = step_limit(model(), state_.bodies, norm(scene_->gravity.value));
-    const StepLimit of_spheres{step.limit * settings_->laws.steps_per_contact / 7.5, false, step.reason};
+    const double gravity = norm(scene_->gravity.value);
+    const sphere_dem::SphereStep step = step_limit(model(), state_.bodies, gravity);
+    StepLimit of_spheres{step.limit * settings_->laws.steps_per_contact / 7.5, false, step.reason};
+    if (std::isfinite(of_spheres.longest) && follows_contacts(model())) {
+        of_spheres.longest = longest_ahead(model(), state_.bodies, {of_spheres.longest, gravity}, scratch_->ahead);
+    }
+    if (scene_->end > 0) {  // bodies at rest that a load is about to move have no impact to resolve yet
+        of_spheres.longest = std::min(of_spheres.longest, scene_->end / (0.15 * least_steps));
+    }
+    return shorter_of(of_spheres);
+}
+
+StepLimit SphereDem::shorter_of(const StepLimit& of_spheres) const {
     if (!scratch_->do_faces_meet) {
         return of_spheres;
     }

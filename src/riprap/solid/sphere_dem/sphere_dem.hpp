@@ -10,6 +10,7 @@
 #include "riprap/core/step.hpp"
 #include "riprap/solid/faces_on_faces.hpp"
 #include "riprap/solid/solid_scene.hpp"
+#include "riprap/solid/sphere_dem/look_ahead.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
 #include "riprap/solid/sphere_dem/sphere_model.hpp"
 #include "riprap/solid/sphere_dem/sphere_physics.hpp"
@@ -29,7 +30,9 @@ class SphereDem {
         sphere_dem::SphereSet spheres;  ///< a function of Model; made when they are first asked for
         sphere_dem::TriangleSet triangles;
         contact::ContactTable table;
+        std::vector<double> cohesion;  ///< of pairs of materials, row after row [Pa]; empty where no pair has any
         sphere_dem::SphereScratch buffers;
+        sphere_dem::LookAhead ahead;
         FacesOnFaces::Scratch faces;
         bool do_faces_meet{false};  ///< a body without spheres may move
         body::PointLoadSum point_loads;
@@ -47,6 +50,10 @@ class SphereDem {
 
     /// Returns what every body meets others by (solid/pair_physics.hpp).
     static std::vector<BodyKind> kinds_of(const SolidScene& scene, const Settings& settings);
+    /// Returns the settings with stiffnesses in place of those that the case leaves open (default_stiffness.hpp).
+    /// @param speed  of the hardest impact to come [m/s]
+    static Settings completed(const SolidScene& scene, const Settings& settings, const body::BodyState& state,
+                              double speed);
     /// Refuses moduli that make the run take more steps than anybody waits for.
     static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& state);
@@ -54,7 +61,10 @@ class SphereDem {
     SphereDem(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
               Scratch& scratch);
 
-    /// Returns a 7.5th of the shortest impact: with the default share of 0.15, an impact takes 50 steps.
+    /// Returns a 7.5th of the shortest impact: with the default share of 0.15, an impact takes 50 steps. That is enough
+    /// for whatever touches later.
+    StepLimit lasting_limit() const;
+    /// Returns the same for the step that comes: longer where the contacts of sampled bodies allow it (look_ahead.hpp).
     StepLimit limit() const;
     /// Moves the bodies over a piece of a step under loads that are held over it.
     Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
@@ -73,6 +83,8 @@ class SphereDem {
 
  private:
     sphere_dem::SphereModel model() const;
+    /// Returns the shorter one of the step of the spheres and that of bodies that meet by their faces.
+    StepLimit shorter_of(const StepLimit& of_spheres) const;
     FacesOnFaces faces() const { return {*scene_, faces_settings_, state_, scratch_->faces}; }
 
     const SolidScene* scene_;

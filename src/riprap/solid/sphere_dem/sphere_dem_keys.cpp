@@ -40,6 +40,19 @@ KeyList<sphere_dem::SphereSettings> law_keys() {
     return normal + chosen(&S::tangential, "tangential_law", "Tangential law of a contact") + others;
 }
 
+/// A number above zero, or "auto", for which the member is 0.
+BoundKey<SphereDemSettings> or_of_scene(double SphereDemSettings::*member, std::string_view name,
+                                        const Dimension& dimension, std::string_view help) {
+    BoundKey<SphereDemSettings> key = number(member, name, dimension, positive(), help);
+    key.row.words = {"auto"};
+    key.get = [member](const SphereDemSettings& s) { return s.*member > 0 ? KeyValue(s.*member) : KeyValue(); };
+    key.set = [member](SphereDemSettings& s, const KeyValue& value) {
+        const double* given = std::get_if<double>(&value);
+        s.*member = given != nullptr ? *given : 0;
+    };
+    return key;
+}
+
 }  // namespace
 
 MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
@@ -55,7 +68,9 @@ MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
             "Radius of the samples, at most half of the least extent of a part. \"auto\": a third of the least "
             "inscribed radius.")
             .read_with("spheres", {"surface"}),
-        number(&S::youngs_modulus, "youngs_modulus", dimension::pressure, positive(), "Young's modulus of all bodies.")
+        or_of_scene(&S::youngs_modulus, "youngs_modulus", dimension::pressure,
+                    "Young's modulus of all bodies. \"auto\": bodies at rest sink in by 1e-4 of the smallest one, in "
+                    "the hardest impact by a hundredth of themselves; 1e7 Pa at least.")
             .read_with("normal_law", {"hertz"}),
         number(&S::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.5), "Poisson's ratio of all bodies.")
             .read_with("normal_law", {"hertz"}),
@@ -69,8 +84,8 @@ MethodKeys<SphereDemSettings> SphereDemSettings::keys() {
             "Damping ratio of a contact: epsilon of the Hertz dashpot, xi of a linear one. \"auto\": follows from "
             "`restitution`."),
         number(&S::kinetic_share, "kinetic_share", dimension::plain, above(0, 1), "Kinetic over static friction."),
-        number(&S::spring_stiffness, "spring_stiffness", dimension::stiffness, positive(),
-               "Normal stiffness of a contact.")
+        or_of_scene(&S::spring_stiffness, "spring_stiffness", dimension::stiffness,
+                    "Normal stiffness of a contact. \"auto\": as `youngs_modulus`; 1e5 N/m at least.")
             .read_with("normal_law", {"linear"}),
         number(&S::shear_ratio, "shear_ratio", dimension::plain, positive(), "Tangential over normal stiffness.")
             .read_with("normal_law", {"linear"})};

@@ -36,13 +36,13 @@ struct SphereDemSettings {
     sphere_dem::SphereSettings laws;
     SphereSampling sampling{SphereSampling::surface};
     std::optional<double> sphere_radius;  ///< of samples [m]; empty = a third of the least inscribed radius
-    double youngs_modulus{1e7};           ///< of all bodies [Pa]
+    double youngs_modulus{0};             ///< of all bodies [Pa]; 0 = as the scene asks for (default_stiffness.hpp)
     double poisson_ratio{0.3};            ///< [-]
     double restitution{0.5};              ///< [-]
     double rolling_friction{0};           ///< [-]
     std::optional<double> contact_ratio;  ///< of Hertz' dashpot [-]; empty = from the restitution
     double kinetic_share{1};              ///< kinetic over static friction [-]
-    double spring_stiffness{1e5};         ///< of the linear normal spring [N/m]
+    double spring_stiffness{0};           ///< of the linear normal spring [N/m]; 0 likewise
     double shear_ratio{2.0 / 7};          ///< tangential over normal stiffness of linear springs [-]
 };
 

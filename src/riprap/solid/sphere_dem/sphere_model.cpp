@@ -2,6 +2,7 @@
 #include "riprap/solid/sphere_dem/sphere_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "riprap/core/index.hpp"
@@ -10,7 +11,8 @@ namespace riprap::solid::sphere_dem {
 
 namespace {
 
-/// Spheres of a body that a plane across an axis touches from one side, within a tenth of their radius.
+/// Spheres of a body that a plane across an axis touches from one side, within a tenth of their radius, each by its
+/// portion; of a sampled body those that meet parts.
 /// @param side  axis and sign: 2 axis + (1 = from below)
 std::int32_t count_flat(const SphereSet& spheres, std::int32_t body, int side) {
     const double sign = side % 2 == 0 ? 1 : -1;
@@ -19,20 +21,36 @@ std::int32_t count_flat(const SphereSet& spheres, std::int32_t body, int side) {
     for (std::int32_t s = spheres.begin[at(body)]; s < spheres.begin[at(body) + 1]; ++s) {
         most = std::max(most, reach(s));
     }
-    std::int32_t count = 0;
+    double count = 0, sharp = 0, of_sharp = 0;
     for (std::int32_t s = spheres.begin[at(body)]; s < spheres.begin[at(body) + 1]; ++s) {
-        count += reach(s) > most - 0.1 * spheres.radius[at(s)] ? 1 : 0;
+        const bool is_flat = reach(s) > most - 0.1 * spheres.radius[at(s)];
+        const bool is_of_face = spheres.face_normal[at(s)] != Vec3{};
+        count += is_flat ? spheres.portion[at(s)] : 0;
+        sharp += is_flat && (is_of_face || spheres.is_sharp(s)) ? spheres.portion[at(s)] : 0;
+        of_sharp += spheres.is_sharp(s) ? 1 : 0;
     }
-    return count;
+    return static_cast<std::int32_t>(std::ceil((of_sharp > 0 ? sharp : count) - 1e-9));
 }
 
 }  // namespace
 
-void SphereSet::add(BodyId of, double sphere_radius, const Vec3& centre, const Vec3& normal) {
+void SphereSet::add(BodyId of, double sphere_radius, const Vec3& centre, const Vec3& normal, double law_radius) {
     body.push_back(of.value);
     radius.push_back(sphere_radius);
+    curvature.push_back(law_radius > 0 ? law_radius : sphere_radius);
     local.push_back(centre);
     face_normal.push_back(normal);
+    area.push_back(0);
+    portion.push_back(1);
+}
+
+void SphereSet::add_sample(BodyId of, const Pose& part, const SurfaceSample& sample, bool is_planar) {
+    Vec3 centre = to_world(part, sample.sphere.centre);
+    centre.z = is_planar ? 0 : centre.z;
+    add(of, sample.sphere.radius, centre, rotate(part.orientation, sample.sphere.face_normal), sample.law_radius);
+    const double width = 2 * sample.law_radius;
+    area.back() = sample.area;
+    portion.back() = sample.area / (is_planar ? width : width * width);
 }
 
 void SphereSet::finish(std::int32_t body_count) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/contact/law/contact_table.hpp"
 #include "riprap/contact/law/frictions.hpp"
 #include "riprap/solid/sphere_dem/sphere_settings.hpp"
+#include "riprap/solid/sphere_dem/surface_sample.hpp"
 
 namespace riprap::solid::sphere_dem {
 
@@ -15,8 +17,11 @@ namespace riprap::solid::sphere_dem {
 struct SphereSet {
     std::vector<std::int32_t> body;
     std::vector<double> radius;       ///< [m]
+    std::vector<double> curvature;    ///< R that the laws of contact take; of samples in edges that of the others [m]
     std::vector<Vec3> local;          ///< centre in the body frame [m]
     std::vector<Vec3> face_normal;    ///< outward normal of the face that the sphere lies in, body frame; 0 = none [-]
+    std::vector<double> area;         ///< of the surface that a sample stands for; 0 of other spheres [m^2], plane: [m]
+    std::vector<double> portion;      ///< area over that of a square of 2 R: by which its springs count [-]
     std::vector<std::int32_t> begin;  ///< first sphere of every body; body count + 1 entries, see finish
     /// Per body: most spheres that a plane across a body axis touches at once, within a tenth of their radius; see
     /// finish.
@@ -24,7 +29,8 @@ struct SphereSet {
     bool has_clusters{false};  ///< some body has several spheres; see finish
     /// Per body: 1 where its spheres are samples of its surface, which others meet as it is; none by finish.
     std::vector<std::uint8_t> is_sampled;
-    std::vector<double> extent;  ///< per body: of its spheres from the centre of mass, at most [m]; see finish
+    /// Per body: of its spheres from the centre of mass, at most; infinite of sampled bodies that cannot move [m].
+    std::vector<double> extent;
 
     std::int32_t size() const { return static_cast<std::int32_t>(radius.size()); }
     std::int32_t count_of(std::int32_t of) const {
@@ -37,7 +43,23 @@ struct SphereSet {
         const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
         return is_sampled[j] != 0 && (is_sampled[i] == 0 || extent[i] < extent[j] || (extent[i] == extent[j] && a < b));
     }
-    void add(BodyId of, double sphere_radius, const Vec3& centre = {}, const Vec3& normal = {});
+    /// Is the sphere a sample of an edge or corner, smaller than those of faces?
+    bool is_sharp(std::int32_t sphere) const {
+        const auto s = static_cast<std::size_t>(sphere);
+        return radius[s] < curvature[s];
+    }
+    /// Does a sphere meet the surface of body `b` itself? Edges and corners of two sampled bodies meet the surface of
+    /// the other one either way: a brick lies on the edge of its support as well as on its own corners.
+    bool touches(std::int32_t sphere, std::int32_t b) const {
+        const std::int32_t a = body[static_cast<std::size_t>(sphere)];
+        return meets_surface(a, b) || (is_sharp(sphere) && is_sampled[static_cast<std::size_t>(a)] != 0 &&
+                                       is_sampled[static_cast<std::size_t>(b)] != 0);
+    }
+    /// @param law_radius  R of the laws of contact [m]; 0 = that of the sphere
+    void add(BodyId of, double sphere_radius, const Vec3& centre = {}, const Vec3& normal = {}, double law_radius = 0);
+    /// Adds a sample of a surface: its springs count by area/(2 R)^2, in the plane by area/(2 R), so that a face is as
+    /// stiff per area wherever it is pressed.
+    void add_sample(BodyId of, const Pose& part, const SurfaceSample& sample, bool is_planar);
     /// Fills what is per body and `has_clusters`; call once all spheres are added, in the order of their bodies.
     void finish(std::int32_t body_count);
 };
@@ -64,6 +86,8 @@ struct SphereModel {
     const TriangleSet& triangles;
     const contact::ContactTable& table;
     SphereSettings settings{};
+    /// Cohesion of pairs of materials, row after row [Pa]; empty where no pair has any.
+    std::span<const double> cohesion{};
 };
 
 }  // namespace riprap::solid::sphere_dem

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/sphere_dem/sphere_physics.hpp"
 
+#include <algorithm>
+
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/solid/sphere_dem/find.hpp"
@@ -35,7 +37,9 @@ std::vector<material::PropertyUse> SpheresOnSpheres::reads(const SphereDemSettin
     return reads_of_spheres(settings);
 }
 std::vector<material::PropertyUse> SpheresOnFaces::reads(const SphereDemSettings& settings) {
-    return reads_of_spheres(settings);
+    std::vector<material::PropertyUse> reads = reads_of_spheres(settings);
+    reads.push_back({material::Property::cohesion});
+    return reads;
 }
 
 void SpheresOnSpheres::find(Meeting& meeting) {
@@ -64,9 +68,19 @@ void SpheresOnFaces::respond(Meeting& meeting) {
 }
 
 std::int64_t SpheresOnFaces::count(const SphereModel& model, const SphereState& state) {
-    return contact::count_body_pairs(
-        state.walls.pair, model.bodies.size(), [&](std::int32_t sphere) { return model.spheres.body[at(sphere)]; },
-        [&](std::int32_t wall) { return wall_body(model, wall); });
+    // Samples of either body may meet the other one: the pair counts once.
+    std::vector<std::uint64_t> pairs;
+    for (const std::uint64_t key : state.walls.pair) {
+        const std::int32_t a = model.spheres.body[at(static_cast<std::int64_t>(key >> 32))],
+                           b = wall_body(model, static_cast<std::int32_t>(key & 0xFFFFFFFF));
+        const std::uint64_t pair =
+            static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint64_t>(std::max(a, b));
+        if (pairs.empty() || pairs.back() != pair) {
+            pairs.push_back(pair);
+        }
+    }
+    std::ranges::sort(pairs);
+    return contact::count_pairs(pairs);
 }
 
 void FacesAmongSpheres::find(Meeting& meeting) {

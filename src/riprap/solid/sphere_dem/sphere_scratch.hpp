@@ -98,10 +98,12 @@ struct LoadRows {
 /// One contact of a sphere with a part or triangle.
 struct WallContact {
     std::int32_t sphere, wall;
-    Vec3 normal;     ///< from the sphere into the wall [-]
-    Vec3 point;      ///< of the wall's surface that is nearest to the centre [m]
-    double overlap;  ///< [m]
-    double weight;   ///< share of the contact in those of its pair of bodies [-]
+    Vec3 normal;        ///< from the sphere into the wall [-]
+    Vec3 point;         ///< of the wall's surface that is nearest to the centre [m]
+    double overlap;     ///< [m]
+    double weight;      ///< share of the contact in those of its pair of bodies [-]
+    double room;        ///< that max_overlap is a share of: R, less in a thin part that an edge may pass through [m]
+    double portion{1};  ///< of the sample, see SphereSet [-]
 };
 
 /// Loads of one contact with a wall, about the centres of mass.

@@ -30,26 +30,9 @@ contact::ContactPair stiffest_pair(const SphereModel& model, MaterialId material
 double smallest_radius(const SphereSet& spheres, std::size_t body) {
     double least = std::numeric_limits<double>::infinity();
     for (std::int32_t s = spheres.begin[body]; s < spheres.begin[body + 1]; ++s) {
-        least = std::min(least, spheres.radius[at(s)]);
+        least = std::min(least, spheres.curvature[at(s)]);
     }
     return least;
-}
-
-/// Highest speed of a point that may strike another one [m/s]: that of the centre of a ball, whose spin brings nothing
-/// nearer, else of the farthest point of a body. A rod that turns about its centre strikes with its ends.
-double fastest(const SphereModel& model, const body::BodyState& state) {
-    const auto speed_of = [&](std::int64_t i) {
-        const BodyId body{static_cast<std::int32_t>(i)};
-        const double speed = norm(state.velocity[at(i)]);
-        const bool is_ball =
-            model.spheres.count_of(body.value) == 1 && model.spheres.local[at(model.spheres.begin[at(i)])] == Vec3{};
-        if (is_ball || state.angular_momentum[at(i)] == Vec3{}) {
-            return speed;
-        }
-        const double reach = reach_of(model.bodies, model.shapes, body.value);
-        return speed + norm(angular_velocity(model.bodies, state, body)) * reach;
-    };
-    return parallel::reduce(state.size(), 0.0, speed_of, [](double a, double b) { return std::max(a, b); });
 }
 
 /// Mass of the lightest body that moves and whose surface the samples of another one meet; infinity without such [kg].
@@ -129,10 +112,25 @@ double rayleigh_time(double radius, double density, double youngs_modulus, doubl
     return M_PI * radius * std::sqrt(density / shear_modulus) / (0.1631 * poisson_ratio + 0.8766);
 }
 
+double fastest_point(const SphereModel& model, const body::BodyState& state) {
+    const auto speed_of = [&](std::int64_t i) {
+        const BodyId body{static_cast<std::int32_t>(i)};
+        const double speed = norm(state.velocity[at(i)]);
+        const bool is_ball =
+            model.spheres.count_of(body.value) == 1 && model.spheres.local[at(model.spheres.begin[at(i)])] == Vec3{};
+        if (is_ball || state.angular_momentum[at(i)] == Vec3{}) {
+            return speed;
+        }
+        const double reach = reach_of(model.bodies, model.shapes, body.value);
+        return speed + norm(angular_velocity(model.bodies, state, body)) * reach;
+    };
+    return parallel::reduce(state.size(), 0.0, speed_of, [](double a, double b) { return std::max(a, b); });
+}
+
 SphereStep step_limit(const SphereModel& model, const body::BodyState& state, double gravity) {
     constexpr double never = std::numeric_limits<double>::infinity();
     const contact::NormalLaw law = model.settings.normal;
-    const double fast = 2 * fastest(model, state), face = lightest_face(model);
+    const double fast = 2 * fastest_point(model, state), face = lightest_face(model);
     const bool adds_up =
         model.settings.sharing == contact::Sharing::dashpots || model.settings.sharing == contact::Sharing::sum;
     std::vector<contact::ContactPair> pairs;

@@ -68,6 +68,7 @@ constexpr std::int64_t side_by_side = lanes_in<Native>;
 /// Contacts of spheres with walls, side by side.
 struct WallGroup {
     ContactMotion<Native> motion;
+    Native room;  ///< that the overlap is judged against [m]
     RowsOf<Native> material, wall_material;
     Vec3 arm[side_by_side], wall_arm[side_by_side];  ///< from the centres of mass to the contacts [m]
 };
@@ -83,9 +84,31 @@ struct RespondToWalls {
     SphereScratch& scratch;
     const Surfaces<Native>& surfaces;
 
+    /// Shear strength of the surface that a sample stands for, c A [N].
+    double cohesion_of(const WallContact& contact, std::size_t body, std::size_t wall) const {
+        return model.cohesion.empty() ? 0
+                                      : model.spheres.area[at(contact.sphere)] *
+                                            model.cohesion[at(model.bodies.material[body].value * model.table.size() +
+                                                              model.bodies.material[wall].value)];
+    }
+
     WallGroup group_at(std::size_t first, std::int64_t count) const {
         WallGroup g;
-        enum { normal = 0, old_normal = 3, velocity = 6, spin = 9, turn = 12, overlap, radius, mass, weight, numbers };
+        enum {
+            normal = 0,
+            old_normal = 3,
+            velocity = 6,
+            spin = 9,
+            turn = 12,
+            overlap,
+            radius,
+            room,
+            mass,
+            weight,
+            portion,
+            cohesion,
+            numbers
+        };
         alignas(64) double of[numbers][side_by_side];
         const auto set = [&](int number, std::int64_t lane, const Vec3& v) {
             of[number][lane] = v.x;
@@ -110,15 +133,19 @@ struct RespondToWalls {
             set(spin, lane, body_spin - wall_spin);
             of[turn][lane] = 0.5 * dt * dot(body_spin + wall_spin, contact.normal);
             of[overlap][lane] = contact.overlap;
-            of[radius][lane] = model.spheres.radius[at(contact.sphere)];
+            of[radius][lane] = model.spheres.curvature[at(contact.sphere)];
+            of[room][lane] = contact.room;
             of[mass][lane] = scratch.kinematics.inverse_mass[body] + scratch.kinematics.inverse_mass[wall];
             of[weight][lane] = contact.weight;
+            of[portion][lane] = contact.portion;
+            of[cohesion][lane] = cohesion_of(contact, body, wall);
         }
         const auto numbers_of = [&](int number) { return Native::load(of[number]); };
         const auto vectors = [&](int number) {
             return Vec3T<Native>{numbers_of(number), numbers_of(number + 1), numbers_of(number + 2)};
         };
-        const Native one(1.0), share = numbers_of(weight);
+        const Native one(1.0), share = numbers_of(weight), own = numbers_of(portion);
+        g.room = numbers_of(room);
         const bool shares_dashpots = model.settings.sharing == contact::Sharing::dashpots;
         g.motion = {.normal = vectors(normal),
                     .old_normal = vectors(old_normal),
@@ -129,12 +156,13 @@ struct RespondToWalls {
                     .radius = numbers_of(radius),
                     .mass = one / numbers_of(mass),
                     .inverse_mass = numbers_of(mass),
-                    .weight = shares_dashpots ? one : share,
-                    .damping_weight = share,
-                    .count = shares_dashpots                                      ? one / (share * share)
-                             : model.settings.sharing == contact::Sharing::divide ? one / share
+                    .weight = shares_dashpots ? own : share * own,
+                    .damping_weight = share * own,
+                    .count = shares_dashpots                                      ? one / (share * share * own)
+                             : model.settings.sharing == contact::Sharing::divide ? one / (share * own)
                                                                                   : one,
-                    .dt = Native(dt)};
+                    .dt = Native(dt),
+                    .cohesion = numbers_of(cohesion)};
         return g;
     }
 
@@ -151,10 +179,12 @@ struct RespondToWalls {
         if (!springs.rolling.empty()) {
             rolling = gather(springs.rolling.data(), rows);
         }
+        const SurfacePair<Native> pair =
+            surfaces.is_uniform() ? surfaces.first() : surfaces.of(g.material, g.wall_material);
         const ContactResponse<Native> response =
-            respond_to<Native>(ChosenLaws{model.settings}, friction,
-                               surfaces.is_uniform() ? surfaces.first() : surfaces.of(g.material, g.wall_material),
-                               g.motion, spring, rolling);
+            model.cohesion.empty()
+                ? respond_to<Native>(ChosenLaws{model.settings}, friction, pair, g.motion, spring, rolling)
+                : respond_to<Native>(CohesiveLaws{{model.settings}}, friction, pair, g.motion, spring, rolling);
         for (std::int64_t lane = 0; lane < count; ++lane) {
             const std::size_t c = first + at(lane);
             springs.force[c] = lane_of(spring.force, lane);
@@ -167,7 +197,7 @@ struct RespondToWalls {
             scratch.wall_loads[c] = {force, cross(g.arm[lane], force) + couple,
                                      -cross(g.wall_arm[lane], force) - couple};
         }
-        sums.add(response, g.motion.overlap / g.motion.radius, p, count);
+        sums.add(response, g.motion.overlap / g.room, p, count);
     }
 };
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/scene/build/complete_solid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "riprap/core/index.hpp"
+#include "riprap/core/parallel.hpp"
+#include "riprap/scene/text/toml_reader.hpp"
+#include "riprap/scene/warnings/hard_impacts.hpp"
+#include "riprap/sim/complete_settings.hpp"
+
+namespace riprap::scene {
+
+namespace {
+
+/// Speed after a fall along gravity onto the first body below [m/s].
+double fall_speed(const sim::Model& model, const sim::State& state, std::int32_t body) {
+    const Vec3 gravity = model.gravity.value, velocity = state.bodies.velocity[at(body)];
+    const double pull = norm(gravity), start = norm(velocity);
+    const Meeting met = pull > 0 ? first_met(model, state, BodyId{body}, gravity / pull) : Meeting{};
+    if (met.part < 0) {
+        return start;
+    }
+    double own = std::numeric_limits<double>::infinity();
+    for (std::int32_t p = model.bodies.part_begin[at(body)]; p < model.bodies.part_begin[at(body) + 1]; ++p) {
+        own = std::min(own, model.shapes.view(model.bodies.parts[at(p)].shape).inscribed_radius);
+    }
+    const double way = std::max(0.0, met.distance - own), at_end = start + pull * model.time.end;
+    return std::min(at_end, std::sqrt(start * start + 2 * pull * way));
+}
+
+/// A key of [solid] and its value.
+struct KeyedStiffness {
+    const char* key{nullptr};  ///< none where the method has no such springs
+    const char* unit{""};
+    double value{0};  ///< [Pa] or [N/m]
+};
+
+KeyedStiffness stiffness_of(const sim::SolidSettings& solid) {
+    return std::visit(
+        [](const auto& settings) -> KeyedStiffness {
+            if constexpr (requires { settings.spring_stiffness; }) {
+                return settings.laws.normal == contact::NormalLaw::hertz
+                           ? KeyedStiffness{"youngs_modulus", "Pa", settings.youngs_modulus}
+                           : KeyedStiffness{"spring_stiffness", "N/m", settings.spring_stiffness};
+            }
+            return {};
+        },
+        solid);
+}
+
+}  // namespace
+
+double impact_speed(const sim::Model& model, const sim::State& state) {
+    constexpr double most_pairs = 2e7;  // of bodies and parts, as of find_hard_impacts
+    const body::BodySet& bodies = model.bodies;
+    const auto looked_at =
+        static_cast<std::int64_t>(std::min<double>(bodies.size(), most_pairs / std::max(1, bodies.part_count())));
+    std::vector<double> speed(at(bodies.size()), 0);
+    parallel::for_each_uneven(looked_at, 16, [&](std::int64_t i) {
+        if (bodies.drive[at(i)] == body::Drive::free) {
+            speed[at(i)] = fall_speed(model, state, static_cast<std::int32_t>(i));
+        }
+    });
+    double fastest = 0;
+    for (const double one : speed) {
+        fastest = std::max(fastest, one);
+    }
+    return fastest;
+}
+
+void complete_solid(CaseBuild& build) {
+    sim::Model& model = build.model;
+    const KeyedStiffness before = stiffness_of(model.solid);
+    if (before.key == nullptr) {
+        return;
+    }
+    model.solid = sim::completed_settings(model, build.state.bodies, impact_speed(model, build.state));
+    const KeyedStiffness after = stiffness_of(model.solid);
+    if (before.value != after.value) {
+        build.notes.push_back(
+            fmt::format("solid.{} is {:.3g} {}, as the scene asks for", after.key, after.value, after.unit));
+    }
+}
+
+std::string completed_toml(const LoadedCase& loaded) {
+    std::vector<Diagnostic> problems;
+    Value root = parse_toml(loaded.resolved_toml, "the resolved case", problems);
+    Value* solid = root.find("solid");
+    const KeyedStiffness stiffness = stiffness_of(loaded.model.solid);
+    if (const Value* old = stiffness.key != nullptr && solid != nullptr ? solid->find(stiffness.key) : nullptr;
+        old != nullptr && old->is_text()) {
+        solid->set(stiffness.key, Value::of(stiffness.value));
+    }
+    return write_toml(root);
+}
+
+}  // namespace riprap::scene
