@@ -83,6 +83,7 @@ std::string scene_of(std::string_view method) {
     std::string text = blocks(method == "planar_dda", std::string(method));
     if (method == "sphere_dem") {
         text += R"(spheres = "balls"
+youngs_modulus = "10 MPa"
 [[body]]
 name = "ball"
 shape = { sphere = 0.2 }

@@ -168,7 +168,7 @@ TEST_P(Resume, EndsAsTheWholeRunAfterManyStops) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Resume,
                          ::testing::Values("ledger_of_cubes", "deep_cubes", "deep_implicit_dda", "deep_planar_dda",
-                                           "deep_spheres"),
+                                           "ledger_of_spheres"),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

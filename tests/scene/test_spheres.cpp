@@ -132,7 +132,8 @@ TEST(Spheres, samples_too_many_to_wait_for_are_refused_before_they_are_made) {
         ElementsAre(AllOf(HasSubstr("case.toml:7:8: spheres of 0.0001 m for the surface of 'block': a shell of"),
                           HasSubstr("at most 8 million"), HasSubstr("another solid.sphere_radius"))));
     const std::string stone = with(text, "{ box = [1.0, 1.0, 0.5] }", "{ tetrahedron = 1.0 }");
-    EXPECT_THAT(problems_of(stone, {"solid.sphere_radius=0.0001"}), ElementsAre(HasSubstr("lattice points")));
+    EXPECT_THAT(problems_of(stone, {"solid.sphere_radius=0.0001"}),
+                ElementsAre(AllOf(HasSubstr("samples of radius 0.0001 m"), HasSubstr("at most 8 million"))));
     EXPECT_THAT(
         problems_of(with(sphere_case, "SPHERES", "spheres = { shell = 200 }"), {"body.block.shape.box=[9,9,0.01]"}),
         ElementsAre(HasSubstr("case.toml:10:21: a shell of")));

@@ -22,7 +22,7 @@ struct BondedBlock {
     double stiffness{1e8};          ///< of both springs of a contact point [N/m]
     double pressed{0.1}, end{0.5};  ///< settles, without inertia or damped; runs on [s]
     double speed{0};                ///< along the floor, when it has settled [m/s]
-    double pebble{0};  ///< side of a square elsewhere on the floor; 0 = none [m]
+    double pebble{0};               ///< side of a square elsewhere on the floor; 0 = none [m]
     std::function<geometry::Vec2(double)> gravity{[](double) { return geometry::Vec2{0, -9.81}; }};
 };
 
@@ -161,8 +161,7 @@ TEST_P(DdaBonds, a_pebble_elsewhere_does_not_shorten_the_bond_of_a_block) {
     const double strength = 2000, mass = 2500, length = affine::bond_tolerance;
     const double elastic = strength / ((GetParam() == Dda::planar ? 2 : 4) * 1e8);
     const double speed = std::sqrt(2 * strength * (0.75 * length + 0.5 * elastic) / mass);
-    const Answer answer =
-        run(GetParam(), {.cohesion = strength, .end = 0.05, .speed = speed, .pebble = 0.05});
+    const Answer answer = run(GetParam(), {.cohesion = strength, .end = 0.05, .speed = speed, .pebble = 0.05});
     EXPECT_LT(answer.way, length);
     EXPECT_GT(answer.way, 0.5 * length);
 }

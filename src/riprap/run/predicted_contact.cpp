@@ -112,28 +112,30 @@ class Springs {
         if (count == 0) {
             return {spring_of_faces(model_, touch), 0, true};
         }
-        const auto many = static_cast<double>(count_first(touch));
+        const double many = portion_that_meets_first(touch);
         if (settings.laws.normal != contact::NormalLaw::hertz) {
             return {many * settings.spring_stiffness, 0, false};
         }
         const double modulus = 0.5 * settings.youngs_modulus / (1 - std::pow(settings.poisson_ratio, 2));
-        const double radius = spheres_.radius[at(spheres_.begin[at(touch.body.value)])];
+        const double radius = spheres_.curvature[at(spheres_.begin[at(touch.body.value)])];
         return {0, 4.0 / 3 * many * modulus * std::sqrt(radius), false};
     }
 
-    /// Spheres of a body that a plane across the way touches first, within a tenth of their radius.
-    std::int64_t count_first(const Touch& touch) const {
+    /// Sum of the portions by which springs count, of the spheres of a body that a plane across the way touches first,
+    /// within a tenth of their radius [-].
+    double portion_that_meets_first(const Touch& touch) const {
         const Vec3 way = rotate(conjugate(state_.bodies.orientation[at(touch.body.value)]), touch.way);
         const auto begin = at(spheres_.begin[at(touch.body.value)]), end = at(spheres_.begin[at(touch.body.value) + 1]);
         double most = -infinity;
         for (std::size_t s = begin; s < end; ++s) {
             most = std::max(most, dot(way, spheres_.local[s]) + spheres_.radius[s]);
         }
-        std::int64_t count = 0;
+        double sum = 0;
         for (std::size_t s = begin; s < end; ++s) {
-            count += dot(way, spheres_.local[s]) + spheres_.radius[s] > most - 0.1 * spheres_.radius[s] ? 1 : 0;
+            const bool is_first = dot(way, spheres_.local[s]) + spheres_.radius[s] > most - 0.1 * spheres_.radius[s];
+            sum += is_first ? spheres_.portion[s] : 0;
         }
-        return count;
+        return sum;
     }
 
     const sim::Model& model_;

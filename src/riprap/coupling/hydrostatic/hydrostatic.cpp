@@ -132,8 +132,9 @@ HydrostaticFluid::HydrostaticFluid(const FluidScene& scene, const Settings& sett
                                    Fields& /*fields*/, Scratch& scratch)
     : scene_(&scene), settings_(&settings), scratch_(&scratch) {
     if (!scratch.is_made) {
-        scratch.panels = cut_faces(
-            scene, settings, settings.uplift == Uplift::full ? std::numeric_limits<double>::infinity() : settings.spacing);
+        scratch.panels =
+            cut_faces(scene, settings,
+                      settings.uplift == Uplift::full ? std::numeric_limits<double>::infinity() : settings.spacing);
         scratch.is_made = true;
     }
 }

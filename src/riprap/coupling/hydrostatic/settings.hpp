@@ -43,7 +43,7 @@ struct HydrostaticSettings {
         double level{0};     ///< along `up` [m]
     };
     std::vector<Basin> basins;
-    std::vector<LevelAt> levels;  ///< of all basins; empty: each keeps its own
+    std::vector<LevelAt> levels;       ///< of all basins; empty: each keeps its own
     std::vector<std::uint8_t> is_dry;  ///< per body: not there for the water; bodies beyond the end are wet
     Vec3 up{0, 0, 1};                  ///< [-]
     bool is_planar{false};

@@ -19,10 +19,48 @@ namespace riprap::scene {
 
 namespace {
 
-/// Speed after a fall along gravity onto the first body below [m/s].
+/// Largest arm of a normal of the surface about the centre of mass, at most sqrt(R^2 - r^2) of the farthest point and
+/// the inscribed sphere; none of a ball [m].
+double arm_of_normals(const sim::Model& model, std::int32_t body) {
+    double largest = 0;
+    for (std::int32_t p = model.bodies.part_begin[at(body)]; p < model.bodies.part_begin[at(body) + 1]; ++p) {
+        const body::Part& part = model.bodies.parts[at(p)];
+        const geometry::ConvexView shape = model.shapes.view(part.shape);
+        if (shape.vertex_count == 0) {
+            continue;  // a half-space
+        }
+        const double offset = norm(part.local.position), r = shape.circumradius, inside = shape.inscribed_radius;
+        largest = std::max(largest, offset + std::sqrt(std::max(0.0, r * r - inside * inside)));
+    }
+    return largest;
+}
+
+/// Speed at which a driven body comes upon free ones: of its surface as it turns, and of its centre where a free body
+/// is in its way; the largest of 256 moments of the run [m/s].
+double driven_speed(const sim::Model& model, const sim::State& state, std::int32_t body) {
+    constexpr int moments = 256;
+    const body::DrivenBody& driven = model.bodies.driven_bodies[at(model.bodies.driven[at(body)])];
+    const body::PrescribedMotion& motion = model.bodies.motions[at(driven.motion)];
+    const double arm = arm_of_normals(model, body);
+    double fastest = 0;
+    for (int i = 0; i <= moments; ++i) {
+        const body::DrivenState now = body::evaluate(motion, driven.start, model.time.end * i / moments);
+        double along = norm(now.velocity);
+        if (along > fastest) {  // else it changes nothing
+            const Meeting met = first_met(model, state, BodyId{body}, now.velocity / along);
+            along = met.part >= 0 && model.bodies.drive[at(met.other.value)] == body::Drive::free ? along : 0;
+        }
+        fastest = std::max(fastest, along + arm * norm(now.angular_velocity));
+    }
+    return fastest;
+}
+
+/// Speed after a fall along gravity onto the first body below, with that of the surface as the body turns [m/s].
 double fall_speed(const sim::Model& model, const sim::State& state, std::int32_t body) {
     const Vec3 gravity = model.gravity.value, velocity = state.bodies.velocity[at(body)];
-    const double pull = norm(gravity), start = norm(velocity);
+    const double spin =
+        arm_of_normals(model, body) * norm(body::angular_velocity(model.bodies, state.bodies, BodyId{body}));
+    const double pull = norm(gravity), start = norm(velocity) + spin;
     const Meeting met = pull > 0 ? first_met(model, state, BodyId{body}, gravity / pull) : Meeting{};
     if (met.part < 0) {
         return start;
@@ -64,8 +102,11 @@ double impact_speed(const sim::Model& model, const sim::State& state) {
         static_cast<std::int64_t>(std::min<double>(bodies.size(), most_pairs / std::max(1, bodies.part_count())));
     std::vector<double> speed(at(bodies.size()), 0);
     parallel::for_each_uneven(looked_at, 16, [&](std::int64_t i) {
+        const auto body = static_cast<std::int32_t>(i);
         if (bodies.drive[at(i)] == body::Drive::free) {
-            speed[at(i)] = fall_speed(model, state, static_cast<std::int32_t>(i));
+            speed[at(i)] = fall_speed(model, state, body);
+        } else if (bodies.drive[at(i)] == body::Drive::driven) {
+            speed[at(i)] = driven_speed(model, state, body);
         }
     });
     double fastest = 0;

@@ -49,7 +49,8 @@ std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockSt
     ContactFinder finder;
     for (const BlockContact& c : finder.find(loose, state, placed, {}, largest_bond_length(system))) {
         const std::uint64_t pair = contact::pair_key({c.a, c.b});
-        if (c.gap <= bond_length(system, c.a, c.b) && has_strength(system.surface_of(c.a, c.b)) && (pairs.empty() || pairs.back() != pair)) {
+        if (c.gap <= bond_length(system, c.a, c.b) && has_strength(system.surface_of(c.a, c.b)) &&
+            (pairs.empty() || pairs.back() != pair)) {
             pairs.push_back(pair);
         }
     }

@@ -299,8 +299,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     std::swap(scratch.old, state.contacts);
     // Contacts that are apart take part where bonds hold them.
     const bool has_bonds = !scratch.old.bonded.empty() || has_intact(scratch.old);
-    const double reach =
-        has_bonds ? std::max(affine::largest_bond_length(system), affine::tearing_gap(system)) : 0;
+    const double reach = has_bonds ? std::max(affine::largest_bond_length(system), affine::tearing_gap(system)) : 0;
     const std::vector<BlockContact>& contacts =
         scratch.finder.find(system, state.blocks, scratch.placed, scratch.old, reach);
     laps.end(scratch.times.find_contacts);

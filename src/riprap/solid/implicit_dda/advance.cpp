@@ -100,9 +100,9 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
     Laps laps;
     const double size = smallest_block(system);
     const bool has_bonds = !state.contacts.bonded.empty() || has_intact(state.contacts);
-    const double bonded =
-        has_bonds ? std::max(affine::largest_bond_length(system), affine::tearing_gap(system)) : 0;
-    const double reach = std::max(settings.reach * size, bonded) + std::min(way_of_step(system, state.blocks, dt), size);
+    const double bonded = has_bonds ? std::max(affine::largest_bond_length(system), affine::tearing_gap(system)) : 0;
+    const double reach =
+        std::max(settings.reach * size, bonded) + std::min(way_of_step(system, state.blocks, dt), size);
     number_rows(system, scratch);
     place_blocks(system, state.blocks, scratch.placed);
     const auto& found = scratch.finder.find(system, state.blocks, scratch.placed, state.contacts, reach);

@@ -54,8 +54,8 @@ void find_pairs(const Model& model, const std::vector<Vec2>& corners, double rea
 void find_contacts(const Model& model, const State& state, const Settings& settings, const std::vector<Vec2>& corners,
                    ContactSearch& search, std::vector<Contact>& contacts);
 
-/// Closes and bonds all contacts whose gap is at most `tolerance` [m], and, where Settings::bond_share is given, at most
-/// Contact::bond_slip: joints that hold before the first step.
+/// Closes and bonds all contacts whose gap is at most `tolerance` [m], and, where Settings::bond_share is given, at
+/// most Contact::bond_slip: joints that hold before the first step.
 /// @returns their number
 std::int32_t bond_contacts(const Model& model, const Settings& settings, double tolerance, State& state);
 

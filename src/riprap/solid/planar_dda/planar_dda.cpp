@@ -43,8 +43,8 @@ bool is_damped(const planar_dda::Model& model) {
     return std::ranges::any_of(model.joints, [](const planar_dda::Joint& joint) { return joint.damping_ratio > 0; });
 }
 
-/// Bonds faces that touch at the start, to a ten-thousandth of the smaller block of the pair, where their joint has cohesion or
-/// tensile strength.
+/// Bonds faces that touch at the start, to a ten-thousandth of the smaller block of the pair, where their joint has
+/// cohesion or tensile strength.
 void bond_faces(const planar_dda::SceneBlocks& scene, const planar_dda::Settings& settings, planar_dda::State& state) {
     const auto has_bond = [](const planar_dda::Joint& joint) { return joint.cohesion > 0 || joint.tension > 0; };
     if (std::any_of(scene.model.joints.begin(), scene.model.joints.end(), has_bond)) {
