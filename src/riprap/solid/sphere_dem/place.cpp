@@ -57,7 +57,8 @@ void describe(const SphereModel& model, SphereScratch& scratch) {
         placed.body[k] = body;
         placed.is_mobile[k] = may_move(bodies, at(body)) ? 1 : 0;
     }
-    placed.median_radius = contact::median_radius(std::span(placed.radius).first(spheres));
+    // With the radii of sharp samples, 0.005 R, as the measure, pairs would be searched anew in nearly every step.
+    placed.median_radius = contact::median_radius(model.spheres.curvature);
     placed.giants.clear();
     for (const std::int32_t part : contact::choose_giants(placed.radius)) {
         if (at(part) >= spheres && at(part) < spheres + parts) {
