@@ -32,11 +32,13 @@ class CornerFeet : public ::testing::Test {
         NormalContact contact{};
         if (foot.is_whole()) {
             foot.stand(contact);
+            foot.resist_spin(contact);
             return contact;
         }
         contact = pairs.fast(a, b);
         if (pairs.is_touching && share > 0) {
             foot.join(contact);
+            foot.resist_spin(contact);
         }
         return contact;
     }
@@ -239,6 +241,85 @@ TEST_F(CornerFeet, CarryAllUpToADepthOfHalfOfTheirWidthAndNothingFromTheWholeOfI
     EXPECT_LT(share_at(0.55), 1);
     EXPECT_GT(share_at(0.95), 0);
     EXPECT_LT(share_at(0.999), 1e-4);
+}
+
+/// Sums d |r| over the cells of a grid on a rectangle with sides along x and y, r from the centre of the pressure.
+/// @param depth  d at x, y
+template <class Depth>
+double mean_arm(double length, double width, const Depth& depth) {
+    constexpr int cells = 800;
+    const auto sum = [&](const auto& of) {
+        double total = 0;
+        for (int i = 0; i < cells; ++i) {
+            for (int j = 0; j < cells; ++j) {
+                const double x = length * ((i + 0.5) / cells - 0.5), y = width * ((j + 0.5) / cells - 0.5);
+                total += std::max(0.0, depth(x, y)) * of(x, y);
+            }
+        }
+        return total;
+    };
+    const double all = sum([](double, double) { return 1.0; });
+    const double cx = sum([](double x, double) { return x; }) / all, cy = sum([](double, double y) { return y; }) / all;
+    return sum([&](double x, double y) { return std::hypot(x - cx, y - cy); }) / all;
+}
+
+TEST_F(CornerFeet, ResistSpinAsEvenPressureOnTheFaceThatTheyShare) {
+    const Block floor = add(geometry::box({8, 8, 1}), {{0, 0, -0.5}, {}});
+    const auto arm_of = [&](const geometry::Polyhedron& shape, double height, double turn) {
+        const Block block = add(shape, {{0.3, -0.2, 0.5 * height - 1e-5}, from_rotation_vector({0, 0, turn})});
+        const NormalContact contact = meet(block, floor);
+        return contact.spin_moment / norm(contact.force);
+    };
+    for (const double turn : {0.0, 0.6, 2.0}) {
+        EXPECT_NEAR(arm_of(geometry::box({0.4, 0.4, 0.4}), 0.4, turn), 0.4 * (std::sqrt(2) + std::asinh(1)) / 6, 1e-9);
+        // a rectangle: twice the triangles on both sides, over its area
+        const double l = 0.8, w = 0.2, d = std::hypot(l, w);
+        const double brick = d / 6 + w * w / (12 * l) * std::asinh(l / w) + l * l / (12 * w) * std::asinh(w / l);
+        EXPECT_NEAR(arm_of(geometry::box({l, w, 0.1}), 0.1, turn), brick, 1e-9);
+        // regular polygons: of the triangle from the centre to a side, h/3 [sec p + cot p asinh tan p], p = pi/n
+        for (const int sides : {3, 5, 6, 12}) {
+            const double p = M_PI / sides, h = 0.5 * std::cos(p);
+            const double polygon = h / 3 * (1 / std::cos(p) + std::asinh(std::tan(p)) / std::tan(p));
+            EXPECT_NEAR(arm_of(geometry::prism(sides, 0.5, 0.6).value(), 0.6, turn), polygon, 1e-9) << sides;
+        }
+    }
+}
+
+TEST_F(CornerFeet, ResistSpinAsThePressureThatGrowsOverTheirFace) {
+    const Block floor = add(geometry::box({8, 8, 1}), {{0, 0, -0.5}, {}});
+    const double length = 0.8, width = 0.3, height = 0.2;
+    for (const Vec3& tilt : {Vec3{0, 1e-4, 0}, Vec3{1e-4, 0, 0}, Vec3{8e-5, 2e-4, 0}, Vec3{-5e-4, 3e-4, 0}}) {
+        for (const double sunk : {1e-5, 2e-4}) {  // below and above what a tilt lifts
+            const Quat turn = from_rotation_vector(tilt);
+            const Block brick = add(geometry::box({length, width, height}), {{0, 0, 0.5 * height - sunk}, turn});
+            const NormalContact contact = meet(brick, floor);
+            const double arm = mean_arm(length, width, [&](double x, double y) {
+                return sunk - rotate(turn, {x, y, -0.5 * height}).z - 0.5 * height;
+            });
+            EXPECT_NEAR(contact.spin_moment / norm(contact.force), arm, 2e-3 * arm) << tilt.x << ' ' << sunk;
+        }
+    }
+}
+
+TEST_F(CornerFeet, ResistSpinWithinTheReachOfTheirFaceDownToRoundOff) {
+    const geometry::Polyhedron shape = geometry::cube(0.1);
+    const Block lower = add(shape, {{0.25, 0, 0.4}, {}});
+    Block upper = add(shape, {});
+    const double reach = std::hypot(0.1, 0.1);
+    const auto tiny = [&] { return uniform(0, 1) < 0.3 ? 0 : std::pow(10.0, uniform(-19, -4)) * uniform(-1, 1); };
+    int closed = 0;
+    for (int i = 0; i < 20000; ++i) {
+        // Equal faces on each other, or by half, with tilts, shifts and depths of round-off and of everything above.
+        const Vec3 tilt{tiny(), tiny(), tiny()};
+        const double lift = 0.05 * (std::abs(tilt.x) + std::abs(tilt.y)) * uniform(-1, 1);
+        upper.pose = {{0.25 + tiny() + 0.05 * (i % 3 == 0), tiny(), 0.5 + lift + tiny()}, from_rotation_vector(tilt)};
+        const NormalContact contact = i % 2 == 0 ? meet(upper, lower) : meet(lower, upper);
+        ASSERT_TRUE(std::isfinite(contact.spin_moment)) << i;
+        ASSERT_GE(contact.spin_moment, 0) << i;
+        ASSERT_LE(contact.spin_moment, reach * norm(contact.force)) << i;
+        closed += contact.energy > 0 ? 1 : 0;
+    }
+    EXPECT_GT(closed, 5000);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "riprap/contact/narrowphase/overlap_integrals.hpp"
+#include "riprap/contact/narrowphase/spin_arm.hpp"
 
 namespace riprap::contact {
 
@@ -236,6 +237,14 @@ void CornerFoot::join(NormalContact& contact) const {
     contact.stiffness = rest * contact.stiffness + sigma * stiffness();
     contact.energy = rest * contact.energy + sigma * energy_;
     contact.spin_moment = disc_spin * norm(contact.force) * std::sqrt(contact.area);
+}
+
+void CornerFoot::resist_spin(NormalContact& contact) const {
+    const double arm = energy_ > 0 ? spin_arm(patch_) : 0;
+    if (arm > 0) {  // else depths are round-off
+        const double sigma = share(), of_disc = contact.area > 0 ? disc_spin * std::sqrt(contact.area) : 0;
+        contact.spin_moment = norm(contact.force) * (sigma * arm + (1 - sigma) * of_disc);
+    }
 }
 
 void CornerFoot::add_tilting(const Candidate& pair, ContactRow& row) const {

@@ -36,6 +36,9 @@ class CornerFoot {
     bool stand(NormalContact& contact) const;
     /// Joins the foot with the contact of the potential, its energy known.
     void join(NormalContact& potential) const;
+    /// Sets the spin moment of a contact that resists spin: as the pressure on the whole foot does (spin_arm), with the
+    /// disc of the potential where depths are round-off.
+    void resist_spin(NormalContact& contact) const;
     /// Adds to a contact what the corners do beside the push at its point:
     ///
     /// - to the stability of both bodies the stiffness of tilting as a contact of its own: t_i + sqrt(t_i t_j), t_i the

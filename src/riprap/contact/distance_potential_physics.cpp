@@ -59,6 +59,9 @@ void DistancePotentialPhysics::meet(const Candidate& pair, SeparatingCache& cach
             foot.join(normal);
         }
     }
+    if (pair.surfaces.has_torsion && foot.share() > 0) {
+        foot.resist_spin(normal);
+    }
     ContactRow& row = respond(pair, normal, direction(normal), only, friction, found);
     if (foot.share() > 0) {
         foot.add_tilting(pair, row);
