@@ -66,18 +66,30 @@ void ParticleMethod::drive(const TimeSpan& span, std::vector<Vec3>& correction) 
     }
 }
 
+namespace {
+
+/// Lets walls move as the water meets them: blocks keep their stretch, but not its rate. They ring with a period of a
+/// few steps of the water or less, and what water answers to a velocity that has turned by the end of its step feeds
+/// the ringing.
+void meet(const body::Motion& motion, ParticleScratch& scratch) {
+    scratch.motion = motion;
+    scratch.motion.stretch_rate.assign(motion.stretch_rate.size(), {});
+}
+
+}  // namespace
+
 Outcome ParticleMethod::begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle,
                               FluidStep& report) {
     ParticleScratch& scratch = *scratch_;
     const double since_density = 0.5 * (state_.coupling.previous_dt + span.dt);  // the first density is half a step old
-    scratch.motion = now;
+    meet(now, scratch);
     find_near_samples(*scene_, *water_, state_, span.dt, scratch);
     place_walls(*scene_, *water_, state_.open, span.time, 0, scratch);
     scratch.scheme->update_density(state_.particles, scratch.walls, scene_->gravity.at(span.time), since_density,
                                    report.fluid);
     fluid::drift(water_->settings(), state_.particles, 0.5 * span.dt);
 
-    scratch.motion = middle;
+    meet(middle, scratch);
     place_walls(*scene_, *water_, state_.open, span.middle(), 0.5 * span.dt, scratch);
     scratch.scheme->begin_forces(state_.particles, scratch.walls, span, scene_->gravity.at(span.middle()),
                                  report.fluid);
@@ -102,7 +114,7 @@ void ParticleMethod::hold_loads(const TimeSpan& span) {
 
 void ParticleMethod::load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads) {
     ParticleScratch& scratch = *scratch_;
-    scratch.motion = middle;
+    meet(middle, scratch);
     place_walls(*scene_, *water_, state_.open, span.middle(), 0.5 * span.dt, scratch);
     const bool is_penalty = water_->wall == WallTreatment::penalty;
     if (is_penalty) {
