@@ -25,9 +25,9 @@ class Looking : public RunFixture {
 };
 
 TEST_F(Looking, AReportIsWrittenBesideTheTableAndNotInsteadOfIt) {
-    const Ending ending = run({"validate", "rigid/axis_flip", "--report", out("report")});
+    const Ending ending = run({"validate", "rigid/free_fall", "--report", out("report")});
     EXPECT_EQ(ending.code, 0) << ending.err;
-    EXPECT_THAT(ending.out, HasSubstr("half period, mean [s]"));
+    EXPECT_THAT(ending.out, HasSubstr("way after sqrt(2 h/g) [m]"));
     EXPECT_THAT(
         ending.out,
         ContainsRegex("rigid, physics: [0-9]+ reproduced, 0 close, 0 not reproduced.*\n.*report/index.html\n$"));

@@ -59,13 +59,10 @@ std::span<const ValidationCase> zhao_cases() {
 
 std::span<const ValidationCase> rigid_cases() {
     static constexpr std::array cases{
-        ValidationCase{"rigid", "axis_flip", "A free body tumbles about its middle axis", false, rigid::axis_flip},
-        ValidationCase{"rigid", "spinning_top", "A top on its tip precesses", false, rigid::spinning_top},
         ValidationCase{"rigid", "tip_or_slide", "A block on a slope raised slowly tips or slides", false,
                        rigid::tip_or_slide},
         ValidationCase{"rigid", "shaken_block", "A block on a base that speeds up ever faster tips or slides", false,
                        rigid::shaken_block},
-        ValidationCase{"rigid", "bounce", "A cube dropped face down bounces and comes to rest", false, rigid::bounce},
         ValidationCase{"rigid", "stacks", "Stacked blocks carry their weight; bricks lean out to the harmonic limit",
                        false, rigid::stacks},
         ValidationCase{"rigid", "toppling_columns", "Sixteen columns on a stepped base (Goodman and Bray)", false,
