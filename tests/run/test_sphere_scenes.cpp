@@ -195,5 +195,32 @@ TEST(SphereScenes, ABlockAtRestTakesTheStepsOfItsContactsAndAFallingOneThoseOfIt
     EXPECT_GT(*std::ranges::min_element(falling), impact / 200);
 }
 
+// Bodies that were held, driven or only turned were not seen to come: their contacts were as soft as weight alone asks.
+TEST(SphereScenes, AreAsStiffForABodyThatIsLetGoOrDrivenAsForOneThatFallsAsFast) {
+    const auto modulus = [](const std::string& gravity, const std::string& bodies) {
+        const scene::LoadedCase loaded = scene::read_case_text(head(1, gravity, false) + bodies, "case.toml", ".");
+        return std::get<solid::SphereDemSettings>(loaded.model.solid).youngs_modulus;
+    };
+    const std::string down = "[0, 0, -9.81]", none = "[0, 0, 0]";
+    const std::string floor = body("floor", "box = [4, 4, 1]", "position = [0, 0, -0.5]\nfixed = true");
+    const auto cube = [](const std::string& more) {
+        return body("cube", "cube = 0.2", "position = [0, 0, 1.1]\n" + more);
+    };
+    const double falls = modulus(down, floor + cube(""));
+    EXPECT_GT(falls, 2 * modulus(down, floor + body("cube", "cube = 0.2", "position = [0, 0, 0.1]")));
+    EXPECT_EQ(modulus(down, floor + cube("fixed = true\nrelease_time = 0.1")), falls);
+
+    const double flies = modulus(none, floor + cube("velocity = [0, 0, -3]"));
+    const std::string ram = body("ram", "box = [1, 1, 0.2]",
+                                 "position = [0, 0, 2]\nmotion = { linear = { velocity = "
+                                 "[0, 0, -3] }, start = 0.4, stop = 0.402 }");
+    EXPECT_NEAR(modulus(none, cube("") + ram), flies, 1e-9 * flies);
+    const std::string away = body("ram", "box = [1, 1, 0.2]",
+                                  "position = [0, 0, 2]\nmotion = { linear = { velocity = "
+                                  "[0, 0, 3] } }");
+    EXPECT_LT(modulus(none, cube("") + away), 0.1 * flies);
+    EXPECT_GT(modulus(none, floor + cube("angular_velocity = [0, 30, 0]")), flies);
+}
+
 }  // namespace
 }  // namespace riprap::run

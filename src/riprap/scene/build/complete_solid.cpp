@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
@@ -36,15 +37,16 @@ double arm_of_normals(const sim::Model& model, std::int32_t body) {
 }
 
 /// Speed at which a driven body comes upon free ones: of its surface as it turns, and of its centre where a free body
-/// is in its way; the largest of 256 moments of the run [m/s].
+/// is in its way; the largest of 256 moments of the run and of its motion [m/s].
 double driven_speed(const sim::Model& model, const sim::State& state, std::int32_t body) {
     constexpr int moments = 256;
     const body::DrivenBody& driven = model.bodies.driven_bodies[at(model.bodies.driven[at(body)])];
     const body::PrescribedMotion& motion = model.bodies.motions[at(driven.motion)];
+    const double begin = std::max(0.0, motion.start), end = std::min(model.time.end, motion.stop);
     const double arm = arm_of_normals(model, body);
     double fastest = 0;
     for (int i = 0; i <= moments; ++i) {
-        const body::DrivenState now = body::evaluate(motion, driven.start, model.time.end * i / moments);
+        const body::DrivenState now = body::evaluate(motion, driven.start, begin + (end - begin) * i / moments);
         double along = norm(now.velocity);
         if (along > fastest) {  // else it changes nothing
             const Meeting met = first_met(model, state, BodyId{body}, now.velocity / along);
@@ -103,10 +105,11 @@ double impact_speed(const sim::Model& model, const sim::State& state) {
     std::vector<double> speed(at(bodies.size()), 0);
     parallel::for_each_uneven(looked_at, 16, [&](std::int64_t i) {
         const auto body = static_cast<std::int32_t>(i);
-        if (bodies.drive[at(i)] == body::Drive::free) {
+        if (may_move(bodies, at(i))) {  // a held body falls when it is let go
             speed[at(i)] = fall_speed(model, state, body);
-        } else if (bodies.drive[at(i)] == body::Drive::driven) {
-            speed[at(i)] = driven_speed(model, state, body);
+        }
+        if (bodies.drive[at(i)] == body::Drive::driven) {
+            speed[at(i)] = std::max(speed[at(i)], driven_speed(model, state, body));
         }
     });
     double fastest = 0;
