@@ -25,7 +25,7 @@ inline double spring_of(const SphereDemSettings& settings) {
     return settings.spring_stiffness > 0 ? settings.spring_stiffness : least_stiffness;
 }
 
-/// What the contacts of a scene have to carry.
+/// Holds what the contacts of a scene have to carry.
 struct ContactDuty {
     double load{0};    ///< at rest, on a sample whose portion is one [N]
     double speed{0};   ///< of the hardest impact [m/s]

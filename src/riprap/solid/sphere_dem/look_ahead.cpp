@@ -41,7 +41,7 @@ void move(const SphereModel& model, const body::BodyState& state, double time, L
     }
 }
 
-/// What gives way when a contact with this arm is pushed, 1/m + r^2/I; 0 of bodies that forces do not move [1/kg].
+/// Returns the compliance of a body against a push with this arm, 1/m + r^2/I; 0 where forces do not move it [1/kg].
 double compliance_of(const SphereModel& model, const LookAhead& ahead, std::int32_t body, const Vec3& point) {
     const double inverse_mass = ahead.buffers.kinematics.inverse_mass[at(body)];
     if (inverse_mass == 0) {

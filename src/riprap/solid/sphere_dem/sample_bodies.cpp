@@ -62,7 +62,7 @@ double radius_in(const geometry::ConvexView& part, double radius) {
     return std::min(radius, part.inscribed_radius * (1 - 1e-9));
 }
 
-/// What the samples of a scene have to meet.
+/// Holds what the samples of a scene have to meet.
 struct Sampling {
     double radius{0};  ///< [m]
     bool is_planar{false};
