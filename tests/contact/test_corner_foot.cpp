@@ -123,6 +123,21 @@ TEST_F(CornerFeet, PushWithTheGradientOfTheirEnergyWhereTheyMeetByALittleOfTheir
     EXPECT_GT(part, 50);
 }
 
+TEST_F(CornerFeet, DoNotTurnBlocksThatMeetEvenlyByAStripOfTheirFaces) {
+    // A long block goes into a step of its floor: both bodies far beyond the strip are as deep as in it.
+    const Block step = add(geometry::box({4, 1, 0.5}), {{2, 0, -0.25}, {}});
+    Block block = add(geometry::box({0.7, 1, 0.3}), {});
+    for (const double way : {0.003, 0.006, 0.007}) {
+        SCOPED_TRACE(way);
+        block.pose.position = {way - 0.35, 0, 0.15 - 0.005};
+        const NormalContact contact = meet(block, step);
+        EXPECT_GT(share, 0);
+        EXPECT_LT(share, 1);
+        const Vec3 corner{0.5 * way, 0, -0.0025};  // the overlap is here, half a centimetre wide
+        EXPECT_LT(norm(moment_about(contact, corner)), 0.006 * norm(contact.force));
+    }
+}
+
 TEST_F(CornerFeet, GiveWayAsTheAreaThatFlatFacesShare) {
     const Block floor = add(geometry::cube(1), {});
     const NormalContact contact = meet(add(geometry::cube(1), {{0.25, 0, 0.999}, {}}), floor);

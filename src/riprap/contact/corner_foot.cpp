@@ -216,7 +216,8 @@ void CornerFoot::join(NormalContact& contact) const {
     }
     Wrench on_a = push(slopes);
     const auto add_depth = [&](const FaceDepth& depth, double slope) {
-        const DeepestCorner corner = deepest_corner(a_, b_, depth, faces_.origin);
+        const DeepestCorner corner =
+            deepest_corner(a_, b_, depth, faces_.origin, middle(patch_.centroid) - faces_.origin);
         on_a.add((depth.is_of_a ? -slope : slope) * corner.normal, corner.place);
     };
     if (by_ratio != 0) {

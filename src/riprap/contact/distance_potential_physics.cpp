@@ -10,18 +10,39 @@ namespace riprap::contact {
 
 namespace {
 
-bool find_potential(const Candidate& pair, const DistancePotentialOptions& options, SeparatingCache& cache,
-                    NormalContact& normal) {
-    const PairSide &a = pair.a, &b = pair.b;
-    return find_contact(a.shape, a.frame, a.material.normal_stiffness, b.shape, b.frame, b.material.normal_stiffness,
+/// K of faces on each other: half-spaces, whose inscribed radius is infinite, have no field.
+double stiffness_per_area(const PressedShape& a, const PressedShape& b) {
+    return a.stiffness / a.placed.shape.inscribed_radius + b.stiffness / b.placed.shape.inscribed_radius;
+}
+
+bool find_potential(const PressedShape& a, const PressedShape& b, const DistancePotentialOptions& options,
+                    SeparatingCache& cache, NormalContact& normal) {
+    return find_contact(a.placed.shape, a.placed.frame, a.stiffness, b.placed.shape, b.placed.frame, b.stiffness,
                         options, cache, normal);
 }
 
-/// K of faces on each other: half-spaces, whose inscribed radius is infinite, have no field.
-double stiffness_per_area(const PairSide& a, const PairSide& b) {
-    return a.material.normal_stiffness / a.shape.inscribed_radius +
-           b.material.normal_stiffness / b.shape.inscribed_radius;
+bool find_with_foot(const CornerFoot& foot, const PressedShape& a, const PressedShape& b,
+                    const DistancePotentialOptions& options, SeparatingCache& cache, NormalContact& normal) {
+    if (foot.is_whole()) {
+        return foot.stand(normal);
+    }
+    // Takes the energy of the potential along: what turns the faces asks for it.
+    DistancePotentialOptions wanted = options;
+    wanted.with_energy = options.with_energy || foot.share() > 0;
+    if (!find_potential(a, b, wanted, cache, normal)) {
+        return false;
+    }
+    if (foot.share() > 0) {
+        foot.join(normal);
+    }
+    return true;
 }
+
+bool has_feet(const DistancePotentialOptions& options) {
+    return options.potential == Potential::distance && options.sides == Sides::both;
+}
+
+PressedShape pressed(const PairSide& side) { return {{side.shape, side.frame}, side.material.normal_stiffness}; }
 
 Vec3 direction(const NormalContact& normal) {
     const double force = norm(normal.force);
@@ -30,34 +51,30 @@ Vec3 direction(const NormalContact& normal) {
 
 }  // namespace
 
+bool find_push(const PressedShape& a, const PressedShape& b, const DistancePotentialOptions& options,
+               SeparatingCache& cache, NormalContact& normal) {
+    return has_feet(options)
+               ? find_with_foot(CornerFoot(a.placed, b.placed, stiffness_per_area(a, b)), a, b, options, cache, normal)
+               : find_potential(a, b, options, cache, normal);
+}
+
 void DistancePotentialPhysics::meet(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const {
     const std::uint64_t only = feature_key(0, 0);
+    const PressedShape a = pressed(pair.a), b = pressed(pair.b);
     NormalContact normal;
-    if (options.potential != Potential::distance || options.sides != Sides::both) {
-        if (find_potential(pair, options, cache, normal)) {
+    if (!has_feet(options)) {
+        if (find_potential(a, b, options, cache, normal)) {
             respond(pair, normal, direction(normal), only, friction, found);
         }
         return;
     }
-    const PlacedShape a{pair.a.shape, pair.a.frame}, b{pair.b.shape, pair.b.frame};
-    if (!a.is_plane() && !b.is_plane() && is_surely_apart(a.shape, a.frame, b.shape, b.frame, cache)) {
+    if (!a.placed.is_plane() && !b.placed.is_plane() &&
+        is_surely_apart(pair.a.shape, pair.a.frame, pair.b.shape, pair.b.frame, cache)) {
         return;
     }
-    const CornerFoot foot(a, b, stiffness_per_area(pair.a, pair.b));
-    if (foot.is_whole()) {
-        if (!foot.stand(normal)) {
-            return;
-        }
-    } else {
-        // Takes the energy of the potential along: what turns the faces asks for it.
-        DistancePotentialOptions wanted = options;
-        wanted.with_energy = options.with_energy || foot.share() > 0;
-        if (!find_potential(pair, wanted, cache, normal)) {
-            return;
-        }
-        if (foot.share() > 0) {
-            foot.join(normal);
-        }
+    const CornerFoot foot(a.placed, b.placed, stiffness_per_area(a, b));
+    if (!find_with_foot(foot, a, b, options, cache, normal)) {
+        return;
     }
     if (pair.surfaces.has_torsion && foot.share() > 0) {
         foot.resist_spin(normal);

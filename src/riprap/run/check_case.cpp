@@ -77,7 +77,7 @@ std::string certain_crush(const scene::LoadedCase& loaded) {
         return "";  // which carries and brakes bodies
     }
     for (const scene::HardImpact& impact : scene::find_hard_impacts(loaded.model, loaded.state)) {
-        if (impact.energy > doubt * impact.capacity) {
+        if (!impact.goes_round && impact.energy > doubt * impact.capacity) {
             return text_of(impact, loaded.model);
         }
     }

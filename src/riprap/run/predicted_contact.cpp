@@ -12,6 +12,7 @@
 #include "riprap/run/remedy_text.hpp"
 #include "riprap/run/tipping_bias.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
+#include "riprap/scene/warnings/straight_push.hpp"
 #include "riprap/sim/settings.hpp"
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
 
@@ -208,10 +209,12 @@ std::optional<Impact> impact_along(const sim::Model& model, const sim::State& st
                   pull};
 }
 
-std::vector<Impact> first_impacts(const sim::Model& model, const sim::State& state) {
-    std::vector<Impact> impacts;
+/// Calls `visit` with each free body and each way that it may go at first, along its velocity and along gravity; with
+/// none where water would carry bodies.
+template <class Visit>
+void for_each_way(const sim::Model& model, const sim::State& state, const Visit& visit) {
     if (model.has_fluid()) {
-        return impacts;
+        return;
     }
     const auto looked_at = static_cast<std::int32_t>(
         std::min<double>(model.bodies.size(), most_pairs / std::max(1, model.bodies.part_count())));
@@ -221,13 +224,41 @@ std::vector<Impact> first_impacts(const sim::Model& model, const sim::State& sta
         }
         for (const Vec3& way : {state.bodies.velocity[at(b)], model.gravity.at(0)}) {
             if (const double length = norm(way); length > 0) {
-                if (const auto impact = impact_along(model, state, BodyId{b}, way / length)) {
-                    impacts.push_back(*impact);
-                }
+                visit(BodyId{b}, way / length);
             }
         }
     }
+}
+
+std::vector<Impact> first_impacts(const sim::Model& model, const sim::State& state) {
+    std::vector<Impact> impacts;
+    for_each_way(model, state, [&](BodyId body, const Vec3& way) {
+        if (const auto impact = impact_along(model, state, body, way)) {
+            impacts.push_back(*impact);
+        }
+    });
     return impacts;
+}
+
+/// The largest overlap of an impact by what its contacts store along the way (scene::StraightPush).
+std::optional<PredictedOverlap> largest_push(const sim::Model& model, const sim::State& state, double wanted) {
+    std::optional<PredictedOverlap> largest;
+    contact::PlacedParts placed;
+    place_parts(model.shapes, model.bodies, state.bodies, placed);
+    for_each_way(model, state, [&](BodyId body, const Vec3& way) {
+        const std::optional<scene::StraightPush> push = scene::straight_push(model, state, placed, body, way);
+        if (!push || push->samples.empty() || (push->goes_round && !push->rest())) {
+            return;
+        }
+        const double overlap = push->rest().value_or(push->last_way());
+        if (!largest || overlap / push->thin > largest->share) {
+            const double factor = push->brought(wanted * push->thin) / push->stored_after(wanted * push->thin);
+            largest = PredictedOverlap{
+                body,    push->other,          true,   push->speed,
+                overlap, overlap / push->thin, factor, stiffness_text(model, body, push->other, true, factor)};
+        }
+    });
+    return largest;
 }
 
 }  // namespace
@@ -268,6 +299,10 @@ std::optional<PredictedOverlap> largest_overlap(const sim::Model& model, const s
             offer(touch, spring, spring.at_rest(foot.weight), 0,
                   [&](double overlap) { return foot.weight / spring.force(overlap); });
         }
+    }
+    if (scene::meets_by_potential(model)) {
+        const std::optional<PredictedOverlap> push = largest_push(model, state, wanted);
+        return !push || (largest && largest->share > push->share) ? largest : push;
     }
     for (const Impact& impact : first_impacts(model, state)) {
         const Spring spring = springs.of(impact.touch);

@@ -18,7 +18,8 @@ inline constexpr double large_overlap = 0.1;
 ///     d = (m g + sqrt((m g)^2 + K m v^2))/K,
 ///
 /// K = A (k_a/r_a + k_b/r_b) where bodies meet by faces, n k or A k with n springs k of corners or of the area A, and
-/// Hertz' law of n spheres where they meet by spheres.
+/// Hertz' law of n spheres where they meet by spheres. Impacts by the distance potential: by what the contacts store on
+/// the way (scene::StraightPush).
 struct PredictedOverlap {
     BodyId body, other;     ///< it comes to, or stands on
     bool is_impact{false};  ///< else it stands there

@@ -18,6 +18,9 @@ using geometry::ConvexView;
 /// cos of 45 degrees, the widest h.
 constexpr double widest = 0.70710678118654752440;
 
+/// Corners are as deep as each other up to this share of the size of their part.
+constexpr double even = 1e-12;
+
 /// Least of d . x over the vertices.
 double least_along(const ConvexView& view, const Vec3& d) {
     const auto along = [&](int i) {
@@ -140,15 +143,52 @@ FacingFaces find_facing_faces(const PlacedShape& a, const PlacedShape& b) {
     return faces;
 }
 
-DeepestCorner deepest_corner(const PlacedShape& a, const PlacedShape& b, const FaceDepth& depth, const Vec3& origin) {
+namespace {
+
+Vec3 nearest_between(const Vec3& p, const Vec3& q, const Vec3& to) {
+    const Vec3 whole = q - p;
+    return p + std::clamp(dot(to - p, whole) / norm_squared(whole), 0.0, 1.0) * whole;
+}
+
+/// Point of the hull of corners in one plane that is nearest to `to`.
+Vec3 nearest_of(std::vector<Vec3>& corners, const Vec3& normal, const Vec3& to) {
+    Vec3 middle{};
+    for (const Vec3& corner : corners) {
+        middle += corner / static_cast<double>(corners.size());
+    }
+    const Vec3 x = corners[0] - middle, y = cross(normal, x);
+    std::ranges::sort(corners, {}, [&](const Vec3& p) { return std::atan2(dot(p - middle, y), dot(p - middle, x)); });
+    Vec3 nearest = to - dot(to - middle, normal) * normal;
+    const Vec3 inside = nearest;
+    double least = std::numeric_limits<double>::infinity();
+    bool is_inside = corners.size() > 2;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3 &p = corners[i], &q = corners[i + 1 < corners.size() ? i + 1 : 0];
+        is_inside = is_inside && dot(cross(normal, q - p), inside - p) >= 0;
+        const Vec3 place = nearest_between(p, q, inside);
+        if (norm_squared(place - inside) < least) {
+            least = norm_squared(place - inside);
+            nearest = place;
+        }
+    }
+    return is_inside ? inside : nearest;
+}
+
+}  // namespace
+
+DeepestCorner deepest_corner(const PlacedShape& a, const PlacedShape& b, const FaceDepth& depth, const Vec3& origin,
+                             const Vec3& near) {
     const PlacedShape &face = depth.is_of_a ? a : b, &body = depth.is_of_a ? b : a;
     const Vec3 normal = face.frame.axes * face.shape.normal(depth.face);
     const Vec3 local = transpose_times(body.frame.axes, normal);
-    int deepest = 0;
-    for (int v = 1; v < body.shape.vertex_count; ++v) {
-        deepest = dot(local, body.shape.vertex(v)) < dot(local, body.shape.vertex(deepest)) ? v : deepest;
+    const double deepest = least_along(body.shape, local), slack = even * body.shape.circumradius;
+    std::vector<Vec3> corners;
+    for (int v = 0; v < body.shape.vertex_count; ++v) {
+        if (dot(local, body.shape.vertex(v)) <= deepest + slack) {
+            corners.push_back((body.frame.origin - origin) + body.frame.axes * body.shape.vertex(v));
+        }
     }
-    return {normal, (body.frame.origin - origin) + body.frame.axes * body.shape.vertex(deepest)};
+    return {normal, corners.size() == 1 ? corners[0] : nearest_of(corners, normal, near)};
 }
 
 }  // namespace riprap::contact

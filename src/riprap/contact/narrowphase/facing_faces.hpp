@@ -42,10 +42,13 @@ struct FacingFaces {
 /// where there are no two faces, or where the least depth is none.
 FacingFaces find_facing_faces(const PlacedShape& a, const PlacedShape& b);
 
-/// Normal of the face of a depth, and the deepest corner below it, in world axes, from `origin`.
+/// Normal of the face of a depth, and the deepest corner below it, in world axes, from `origin`. Where several are as
+/// deep, as of a face that is even with the other, the point between them that is nearest to `near`: the depth has no
+/// one slope there, and which corner comes first must not turn the bodies.
 struct DeepestCorner {
     Vec3 normal, place;
 };
-DeepestCorner deepest_corner(const PlacedShape& a, const PlacedShape& b, const FaceDepth& depth, const Vec3& origin);
+DeepestCorner deepest_corner(const PlacedShape& a, const PlacedShape& b, const FaceDepth& depth, const Vec3& origin,
+                             const Vec3& near);
 
 }  // namespace riprap::contact

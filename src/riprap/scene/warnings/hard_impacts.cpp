@@ -11,6 +11,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/scene/warnings/straight_push.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "riprap/solid/travel_bound.hpp"
@@ -103,6 +104,21 @@ std::optional<HardImpact> impact_along(const sim::Model& model, const sim::State
     return HardImpact{BodyId{body}, other.body, std::sqrt(square), energy, capacity, k * energy / capacity};
 }
 
+/// The same by what the contacts store along the way.
+std::optional<HardImpact> impact_by_energy(const sim::Model& model, const sim::State& state,
+                                           const contact::PlacedParts& placed, std::int32_t body,
+                                           const Vec3& direction) {
+    const auto push = straight_push(model, state, placed, BodyId{body}, direction);
+    if (!push || push->samples.empty() || push->rest() || (push->goes_round && !push->lies_on_something)) {
+        return std::nullopt;  // what goes round an edge in the open may well do so
+    }
+    const double factor = push->needed_factor();
+    const double energy = push->brought(push->last_way());
+    return HardImpact{push->body,      push->other,     push->speed,
+                      energy,          energy / factor, factor * stiffness_of(model, push->body),
+                      push->goes_round};
+}
+
 }  // namespace
 
 std::vector<HardImpact> find_hard_impacts(const sim::Model& model, const sim::State& state) {
@@ -114,6 +130,11 @@ std::vector<HardImpact> find_hard_impacts(const sim::Model& model, const sim::St
     const auto looked_at =
         static_cast<std::int64_t>(std::min<double>(bodies.size(), most_pairs / std::max(1, bodies.part_count())));
     const Vec3 gravity = model.gravity.at(0);
+    const bool knows_energy = meets_by_potential(model);
+    contact::PlacedParts placed;
+    if (knows_energy) {
+        place_parts(model.shapes, bodies, state.bodies, placed);
+    }
     parallel::for_each_uneven(looked_at, 16, [&](std::int64_t i) {
         const auto body = static_cast<std::int32_t>(i);
         if (!is_free(bodies, BodyId{body}, 0)) {
@@ -121,7 +142,8 @@ std::vector<HardImpact> find_hard_impacts(const sim::Model& model, const sim::St
         }
         for (const Vec3& way : {state.bodies.velocity[at(body)], gravity}) {
             if (const double length = norm(way); length > 0) {
-                const auto impact = impact_along(model, state, body, way / length);
+                const auto impact = knows_energy ? impact_by_energy(model, state, placed, body, way / length)
+                                                 : impact_along(model, state, body, way / length);
                 const bool is_worse = impact && (!found[at(i)] || impact->energy * found[at(i)]->capacity >
                                                                       found[at(i)]->energy * impact->capacity);
                 found[at(i)] = is_worse ? impact : found[at(i)];
@@ -140,11 +162,13 @@ std::vector<HardImpact> find_hard_impacts(const sim::Model& model, const sim::St
 std::string text_of(const HardImpact& impact, const sim::Model& model) {
     const std::string unit = sim::unit_in("J", model.bodies.is_planar);
     return fmt::format(
-        "'{}' comes to '{}' with {:.3g} m/s and {:.3g} {}, and their contact holds about {:.3g} {} before the centre "
-        "of "
-        "one lies in the other; a normal_stiffness of about {:.2g} Pa would carry it",
+        "'{}' comes to '{}' with {:.3g} m/s and {:.3g} {}, and their contact holds about {:.3g} {} before {}; a "
+        "normal_stiffness of about {:.2g} Pa would carry it",
         model.bodies.name(impact.body), model.bodies.name(impact.other), impact.speed, impact.energy, unit,
-        impact.capacity, unit, impact.needed_stiffness);
+        impact.capacity, unit,
+        impact.goes_round ? "its push leans and lets the one go round the other"
+                          : "the centre of one lies in the other",
+        impact.needed_stiffness);
 }
 
 }  // namespace riprap::scene

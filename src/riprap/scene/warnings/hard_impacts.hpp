@@ -15,15 +15,18 @@ struct HardImpact {
     BodyId body, other;
     double speed;             ///< at which they meet, 0 where one lies on the other [m/s]
     double energy;            ///< to be taken up: of motion, and of the weight over the depth [J]
-    double capacity;          ///< stored at solid::most_overlap of the smaller inscribed radius [J]
+    double capacity;          ///< that the contact takes up, at most [J]
     double needed_stiffness;  ///< normal_stiffness of the body's material that would carry it [Pa]
+    bool goes_round{
+        false};  ///< it takes up no more since it comes to push another way, as of a step that it lifts over
 };
 
-/// Predicts what free bodies meet first, along their velocity and along gravity, and how hard. A flat contact over the
-/// projected area P of the body is a spring K = P (k_a/r_a + k_b/r_b), which stores K d^2/2 at d = 0.75
-/// min(r_a, r_b), all that it may (solid::most_overlap); the impact brings m v^2/2 + m g d. Bodies in the way are met
-/// where the line from the body's centre enters them; what happens after a first contact, and glancing ones, are not
-/// predicted. Looks at no more than 20 million pairs of bodies and parts.
+/// Predicts what free bodies meet first, along their velocity and along gravity, and how hard. By the distance
+/// potential the energy of the contacts is followed along the way (StraightPush). By common planes a contact over the
+/// projected area P of the body is a spring K = P (k_a/r_a + k_b/r_b), which stores K d^2/2 at d = 0.75 min(r_a, r_b),
+/// all that it may (solid::most_overlap), the impact brings m v^2/2 + m g d, and bodies in the way are met where the
+/// line from the body's centre enters them. What happens after a first contact is not predicted. Looks at no more than
+/// 20 million pairs of bodies and parts.
 std::vector<HardImpact> find_hard_impacts(const sim::Model& model, const sim::State& state);
 
 /// First obstacle on the way of a body.
