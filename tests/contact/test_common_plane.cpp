@@ -18,6 +18,15 @@ using geometry::box, geometry::cube;
 
 Quat turn(const Vec3& axis, double angle) { return from_rotation_vector(angle * normalized(axis)); }
 
+/// Returns the least gap of all contacts [m].
+double deepest_of(const PlaneContacts& found) {
+    double least = 1;
+    for (int k = 0; k < found.count; ++k) {
+        least = std::min(least, found.contacts[static_cast<std::size_t>(k)].gap);
+    }
+    return least;
+}
+
 PlaneContacts contacts_of(const Hull& a, const Hull& b) {
     const CommonPlane plane = common_plane(a.view(), b.view(), {}, 1);
     PlaneContacts found;
@@ -298,7 +307,39 @@ TEST(PlaneContacts, ridges_and_tips_that_are_deep_in_each_other_still_meet_where
     const Hull floor(box({4, 4, 1}), {{0, 0, -0.5}, {}});
     const PlaneContacts tip = contacts_of(floor, Hull(flat.value(), {{0, 0, 0.005}, {}}));
     ASSERT_GE(tip.count, 1);
-    EXPECT_NEAR(tip.contacts[0].gap, -0.015, 1e-12);
+    EXPECT_NEAR(deepest_of(tip), -0.015, 1e-12);
+}
+
+TEST(PlaneContacts, corners_of_a_prism_of_many_sides_come_in_one_by_one_as_it_sinks_into_a_face) {
+    // The push of equal springs at the corners that are in, and its energy, have no jumps: each comes in with no depth.
+    const double step = 2e-5;
+    for (const int sides : {16, 32, 63}) {
+        for (const double turned : {0.0, 0.03}) {
+            std::vector<geometry::Point2> corners;
+            for (int k = 0; k < sides; ++k) {
+                const double angle = 2 * std::numbers::pi * k / sides + turned;
+                corners.push_back({0.1 * std::sin(angle), -0.1 * std::cos(angle)});
+            }
+            const auto prism = geometry::planar_prism(corners).value();
+            const Hull floor(box({0.6, 0.3, 1}), {{0, -0.15, 0}, {}});
+            for (double depth = step; depth < 6e-3; depth += step) {
+                for (const bool is_first : {false, true}) {
+                    const Hull body(prism, {{0, 0.1 - depth, 0}, {}});
+                    const PlaneContacts found = is_first ? contacts_of(body, floor) : contacts_of(floor, body);
+                    double energy = 0, expected = 0;
+                    for (int k = 0; k < found.count; ++k) {
+                        const double gap = std::min(0.0, found.contacts[static_cast<std::size_t>(k)].gap);
+                        energy += gap * gap;
+                    }
+                    for (const geometry::Point2& corner : corners) {
+                        const double in = std::min(0.0, corner[1] + 0.1 - depth);
+                        expected += 2 * in * in;
+                    }
+                    ASSERT_NEAR(energy, expected, 1e-6 * expected) << sides << ' ' << turned << ' ' << depth;
+                }
+            }
+        }
+    }
 }
 
 TEST(PlaneSection, grows_with_the_square_of_the_depth_where_ridges_cross_and_with_the_depth_of_an_edge_on_a_face) {

@@ -58,7 +58,7 @@ TEST(HeightFiles, marks_for_no_height_are_refused_where_they_stand) {
                     testing::AllOf(testing::StartsWith("a.xyz:7:5: a height of "), HasSubstr("a mark for no height?")))
             << mark;
     }
-    EXPECT_EQ(problem(plane(5, " ", "-90")), "");  // a pit of ten times the relief
+    EXPECT_EQ(problem(plane(5, " ", "2")), "");  // a pit of four times the relief
     // Heights in millimetres may well be 9999.
     EXPECT_EQ(read_xyz("0 0 9990\n1000 0 9999\n0 1000 9995\n1000 1000 9998\n", "mm.xyz", 1e-3).at(1, 0), 9.999);
     const std::string head = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
@@ -113,6 +113,23 @@ TEST(HeightFiles, marks_for_no_height_are_found_in_relief_and_in_other_units) {
     for (const std::string mark : {"1e30", "9999", "65535"}) {
         EXPECT_THAT(problem_in(hill(5, 1, 0.1, 0, mark), 1), HasSubstr("a.xyz:18:5:")) << mark;
     }
+}
+
+TEST(HeightFiles, pits_and_needles_of_one_point_are_refused_whatever_their_number) {
+    for (const std::string number : {"0", "-1", "-5", "-10", "-20", "-100", "1", "300"}) {
+        EXPECT_THAT(problem_in(hill(6, 1, 100, 0.5, number), 1), HasSubstr("a.xyz:21:5: a height of " + number + " m"));
+        EXPECT_THAT(problem_in(hill(6, 1, 100, 0, number), 1), HasSubstr("a mark for no height?")) << number;
+        EXPECT_EQ(problem_in(hill(6, 1, 100, 0.5, number), 1, {{}, true}), "") << number;
+    }
+    EXPECT_EQ(problem_in(hill(6, 1, 100, 0.5, "91"), 1), "");  // a well of less than ten intervals
+    EXPECT_EQ(problem_in(hill(6, 1, 100, 20, "-50"), 1), "");  // in steep relief
+    std::string trench;  // a bed of equal heights is no mark: its points are neighbours
+    for (int j = 0; j < 6; ++j) {
+        for (int i = 0; i < 6; ++i) {
+            trench += fmt::format("{} {} {}\n", i, j, i == 2 ? -20 : 0.1 * i);
+        }
+    }
+    EXPECT_EQ(problem_in(trench, 1), "");
 }
 
 TEST(HeightFiles, heights_that_look_like_marks_in_their_own_relief_are_read) {

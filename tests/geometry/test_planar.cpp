@@ -218,6 +218,16 @@ std::string problem_of(std::string_view text) {
     return "";
 }
 
+/// The first problem of an analysis file.
+std::string analysis_problem_of(std::string_view text) {
+    try {
+        read_dda_analysis(text, "bad.ana");
+    } catch (const CaseError& error) {
+        return to_string(error.problems().front());
+    }
+    return "";
+}
+
 TEST(DdaFiles, MalformedTextsAreRefusedWithLineAndColumn) {
     EXPECT_NE(problem_of("0.01\n1 0 0 0 0 0 0 0\n0 0 x 0 1\n").find("bad.geo:3:5:"), std::string::npos);
     EXPECT_NE(problem_of("0.01\n1 0 0 0 0 0 0 0\n0 0 1 0\n").find("the text ends before a type"), std::string::npos);
@@ -231,14 +241,24 @@ TEST(DdaFiles, MalformedTextsAreRefusedWithLineAndColumn) {
     EXPECT_NE(problem_of("<DDA/>").find("there is no <Geometry>"), std::string::npos);
 }
 
-/// The first problem of an analysis file.
-std::string analysis_problem_of(std::string_view text) {
-    try {
-        read_dda_analysis(text, "bad.ana");
-    } catch (const CaseError& error) {
-        return to_string(error.problems().front());
-    }
-    return "";
+TEST(DdaFiles, AListThatPromisesAnotherNumberOfEntriesIsRefused) {
+    const auto text = [](const std::string& joints, const std::string& points) {
+        return "<DDA><Geometry>\n<Jointlist" + joints +
+               "><Joint type=\"1\"> 0 0 1 0 </Joint><Joint type=\"1\"> 1 0 0 1 </Joint></Jointlist>\n<Fixedpointlist" +
+               points + "><Line> 0 0 1 0 </Line></Fixedpointlist></Geometry></DDA>";
+    };
+    EXPECT_EQ(problem_of(text("", "")), "");
+    EXPECT_EQ(problem_of(text(" numjoints=\"2\"", " numpoints=\"1\"")), "");
+    EXPECT_NE(problem_of(text(" numjoints=\"3\"", "")).find("bad.geo:2:23: numjoints is \"3\", and 2 entries follow"),
+              std::string::npos);
+    EXPECT_NE(problem_of(text("", " numPoints=\"9\"")).find("bad.geo:3:28: numPoints is \"9\", and 1 entries follow"),
+              std::string::npos);
+    EXPECT_NE(problem_of(text("", " numpoints=\"-1\"")).find("numpoints is \"-1\""), std::string::npos);
+    const std::string load = "<Loadpoint numpoints=\"1\"> 0 1 2; </Loadpoint></Loadpointlist></Analysis></DDA>";
+    EXPECT_EQ(analysis_problem_of("<DDA><Analysis><Loadpointlist numpoints=\"1\">" + load), "");
+    EXPECT_NE(analysis_problem_of("<DDA><Analysis><Loadpointlist numpoints=\"3\">" + load)
+                  .find("bad.ana:1:42: numpoints is \"3\", and 1 entries follow"),
+              std::string::npos);
 }
 
 std::string load_of(const std::string& attributes, const std::string& records) {
@@ -268,6 +288,8 @@ TEST(DdaFiles, ALoadWithAMissingColumnIsRefusedAtItsRecord) {
                   .find("numpoints is \"3\", and 2 records follow"),
               std::string::npos);
     EXPECT_NE(analysis_problem_of(load_of(" numpoints=\"-1\"", " 0 1 2 ")).find("numpoints is \"-1\""),
+              std::string::npos);
+    EXPECT_NE(analysis_problem_of(load_of(" numTimesteps=\"5\"", " 0 1 2; ")).find("5\", and 1 records follow"),
               std::string::npos);
 }
 

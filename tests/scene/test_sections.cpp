@@ -123,6 +123,10 @@ TEST(Sections, loads_of_an_analysis_file_may_vary_in_time) {
     EXPECT_LT(norm(load.at(3) - Vec3{150, -5, 0}), 1e-12);
     EXPECT_EQ(load.at(9), Vec3{});
     EXPECT_THAT(loaded.notes, Contains(HasSubstr("load 0 of the analysis file, 3 rows from 0 s on, acts on 'bar[")));
+    EXPECT_THAT(loaded.warnings, testing::Not(Contains(HasSubstr("have no load"))));
+    folder.write("bar.ana", "<DDA><Analysis/></DDA>");
+    EXPECT_THAT(read(text, {}, folder.path()).warnings,
+                Contains(HasSubstr("1 of the 1 load points of the geometry file have no load")));
     write("0 100 -10; 2 300 -10; 1 0 0;");
     EXPECT_THAT(problems_of(text, {}, folder.path()), ElementsAre(HasSubstr("load 0: time 1 s does not follow 2 s")));
 }

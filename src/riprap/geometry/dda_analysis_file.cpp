@@ -123,12 +123,7 @@ DdaLoadHistory read_load(const MarkupElement& element, Numbers& numbers) {
                                        numbers.number(element.words[begin + 2], "a force along y")});
         }
     }
-    const Word* promised = element.attribute("numpoints");
-    const auto count = static_cast<std::int64_t>(history.records.size());
-    if (promised != nullptr && numbers.count(*promised, "numpoints") != count) {
-        numbers.report(*promised, fmt::format("numpoints is {}, and {} records follow", quote(promised->text), count),
-                       "the number of records");
-    }
+    compare_counts(element, static_cast<std::int64_t>(history.records.size()), "records", numbers);
     return history;
 }
 
@@ -137,6 +132,7 @@ void read_loads(const std::vector<MarkupElement>& elements, const MarkupElement&
     for (const std::size_t child : list.children) {
         loads.push_back(read_load(elements[child], numbers));
     }
+    compare_counts(list, static_cast<std::int64_t>(list.children.size()), "entries", numbers);
 }
 
 void read_setting(const std::vector<MarkupElement>& elements, const MarkupElement& element, Numbers& numbers,

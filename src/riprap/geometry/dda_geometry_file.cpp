@@ -72,7 +72,11 @@ void read_marked_geometry(std::string_view bytes, const std::string& file, Probl
         if (element.name == "Geometry") {
             has_geometry = true;
             for (const std::size_t child : element.children) {
-                read_geometry_list(elements, elements[child], numbers, geometry);
+                const MarkupElement& list = elements[child];
+                read_geometry_list(elements, list, numbers, geometry);
+                if (list.name.ends_with("list")) {
+                    compare_counts(list, static_cast<std::int64_t>(list.children.size()), "entries", numbers);
+                }
             }
         }
     }

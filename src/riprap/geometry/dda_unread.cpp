@@ -57,4 +57,17 @@ void take_unread(const std::vector<MarkupElement>& elements, const MarkupElement
                                    : fmt::format("<{}>?", nearest));
 }
 
+void compare_counts(const MarkupElement& element, std::int64_t count, std::string_view entries, Numbers& numbers) {
+    for (const auto& [key, value] : element.attributes) {
+        if (!lower_case(key).starts_with("num")) {
+            continue;
+        }
+        const std::string name(key);
+        if (numbers.count(value, name.c_str()) != count) {
+            numbers.report(value, fmt::format("{} is {}, and {} {} follow", name, quote(value.text), count, entries),
+                           fmt::format("the number of {}", entries));
+        }
+    }
+}
+
 }  // namespace riprap::geometry::dda_text

@@ -14,4 +14,8 @@ namespace riprap::geometry::dda_text {
 void take_unread(const std::vector<MarkupElement>& elements, const MarkupElement& element,
                  const std::vector<std::string_view>& known, Numbers& numbers, std::vector<std::string>& notes);
 
+/// Refuses an element whose attribute named num... (numpoints, numjoints) promises another number of `entries` than
+/// there are: the file was cut, or changed by hand.
+void compare_counts(const MarkupElement& element, std::int64_t count, std::string_view entries, Numbers& numbers);
+
 }  // namespace riprap::geometry::dda_text

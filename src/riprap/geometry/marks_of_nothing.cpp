@@ -45,6 +45,7 @@ struct Extreme {
     double other_step{0};         ///< largest between neighbours of other heights [m]
     std::size_t count{0}, all{0};
     bool is_low{true};
+    bool stands_alone{true};  ///< no two neighbours have it
 
     bool stands_out(double times) const { return least_step > times * other_step; }
 };
@@ -69,6 +70,7 @@ std::optional<Extreme> extreme_of(std::span<const double> heights, std::size_t c
             found.least_step = std::min(found.least_step, std::abs(a - b));
         } else if (std::isfinite(a) && std::isfinite(b)) {
             found.other_step = std::max(found.other_step, std::abs(a - b));
+            found.stands_alone = found.stands_alone && a != found.value;
         }
     };
     for (std::size_t n = 0; n < heights.size(); ++n) {
@@ -85,8 +87,8 @@ std::optional<Extreme> extreme_of(std::span<const double> heights, std::size_t c
 }
 
 bool is_mark(const Extreme& z, double spacing, double scale) {
-    constexpr double clear = 2, doubtful = 3;  // times the largest step of the others
-    constexpr std::size_t share = 4;           // a bed at 0 under a quay takes more of the points
+    constexpr double clear = 2, doubtful = 3, any = 10;  // times the largest step of the others
+    constexpr std::size_t share = 4;                     // a bed at 0 under a quay takes more of the points
     const double number = z.value / scale;
     if (is_customary(number)) {
         return z.gap > std::max(z.reach, spacing) || (z.gap > spacing && z.stands_out(clear));
@@ -94,6 +96,9 @@ bool is_mark(const Extreme& z, double spacing, double scale) {
     if (is_doubtful(number) && z.reach > 0 && z.gap > 3 * spacing && z.stands_out(doubtful) &&
         share * z.count < z.all) {
         return true;
+    }
+    if (z.stands_alone && z.gap > any * spacing && z.stands_out(any) && share * z.count < z.all) {
+        return true;  // no ground has pits or needles of one point
     }
     return z.gap > std::max(10 * z.reach, 1000 * spacing);
 }

@@ -20,6 +20,9 @@ struct MarkOfNothing {
 ///   apart, or one that stands out: all steps from it to its neighbours are twice the largest step between others;
 /// - 0, -1 or -99 at less than a quarter of the points, which stands out three times as far, and steeper than 3 to 1:
 ///   a shore or a sea of height 0 is read;
+/// - any number at points of which no two are neighbours, less than a quarter of all, which stands out ten times as
+/// far,
+///   and steeper than 10 to 1: no ground has pits or needles of one point;
 /// - any number ten times as far from the others as these reach and steeper than 1000 to 1.
 /// @param heights  row after row of `columns` points; NaN where there is none [m]
 /// @param spacing  of the points [m]

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "riprap/contact/narrowphase/hull_size.hpp"
 #include "riprap/contact/narrowphase/touching_set.hpp"
@@ -38,6 +39,8 @@ struct Facing {
 struct Sides {
     const PlacedHull &a, &b;
     Vec3 n;
+    PlaneAxes axes;
+    double tolerance;
     TouchingSet set_a, set_b;
     const Vec3& corner_a(int i) const { return a.vertices[at(set_a.vertex[at(i)])]; }
     const Vec3& corner_b(int i) const { return b.vertices[at(set_b.vertex[at(i)])]; }
@@ -63,7 +66,7 @@ Touch touch_of(double own_radius, double other_radius, double tolerance) {
 
 Sides sides_of(const PlacedHull& a, const PlacedHull& b, const Vec3& n, double tolerance) {
     const PlaneAxes axes = axes_across(n, a.is_half_space() ? b.centre : a.centre);
-    Sides sides{a, b, n, {}, {}};
+    Sides sides{a, b, n, axes, tolerance, {}, {}};
     if (a.is_half_space() || b.is_half_space()) {
         const bool is_a = a.is_half_space();
         (is_a ? sides.set_b : sides.set_a) = touching_set(is_a ? b : a, is_a ? -n : n, {tolerance, 0}, axes);
@@ -117,6 +120,72 @@ void share_area(int count, const Point& point, PlaneContacts& found) {
     }
 }
 
+/// Corners of a body that touch inside of the outline of its set, or on a side of it.
+std::vector<std::int32_t> inner_corners(const PlacedHull& body, const Vec3& outward, double tolerance,
+                                        const TouchingSet& set) {
+    const double farthest = dot(outward, body.vertices[at(support_vertex(body, outward))]);
+    const auto outline = std::span(set.vertex).first(at(set.count));
+    std::vector<std::int32_t> inner;
+    for (std::int32_t v = 0; v < static_cast<std::int32_t>(body.vertices.size()); ++v) {
+        if (dot(outward, body.vertices[at(v)]) >= farthest - tolerance &&
+            std::ranges::find(outline, v) == outline.end()) {
+            inner.push_back(v);
+        }
+    }
+    return inner;
+}
+
+/// Adds the contacts inside of the outline of the touching corners of one body, where it stands on a flat face of the
+/// other: corners there, and where edges between them cross the rim of that face. The lowest corner of a round body
+/// or of a blunt tip is one of them. The outline alone lies higher, and its corners would take over all at once when
+/// they have come in.
+void add_inner(const Sides& s, bool is_of_a, double slack, PlaneContacts& found) {
+    const TouchingSet &own = is_of_a ? s.set_a : s.set_b, &other = is_of_a ? s.set_b : s.set_a;
+    const PlacedHull &body = is_of_a ? s.a : s.b, &ground = is_of_a ? s.b : s.a;
+    const Vec3 outward = is_of_a ? s.n : -s.n;
+    if (own.touching == own.count || other.count < 3) {
+        return;
+    }
+    const auto face = ground.topology->loop(static_cast<std::int32_t>(facing_face(ground, -outward)));
+    if (other.touching > static_cast<int>(face.size())) {
+        return;
+    }
+    const Facing facing(ground, -outward);
+    const auto add_at = [&](const Vec3& x, std::uint64_t feature) {
+        const Vec3 foot = facing.along(s.n, x);
+        add(found, is_of_a ? x : foot, is_of_a ? foot : x, feature);
+    };
+    const std::vector<std::int32_t> inner = inner_corners(body, outward, s.tolerance, own);
+    for (const std::int32_t v : inner) {
+        TouchingSet corner{.count = 1, .touching = 1, .vertex = {v}, .point = {}};
+        corner.point[0] = s.axes.project(body.vertices[at(v)]);
+        if (has_corner_inside(corner, other, slack)) {
+            add_at(body.vertices[at(v)], is_of_a ? key(1, v, -1, -1, -1) : key(2, -1, -1, v, -1));
+        }
+    }
+    const auto is_inner = [&inner](std::int32_t v) { return std::ranges::find(inner, v) != inner.end(); };
+    for (const HullEdge& edge : body.topology->edges) {
+        if (!is_inner(edge.from) || !is_inner(edge.to)) {
+            continue;
+        }
+        const Vec3 &from = body.vertices[at(edge.from)], &to = body.vertices[at(edge.to)];
+        TouchingSet ridge{.count = 2, .touching = 2, .vertex = {edge.from, edge.to}, .point = {}};
+        ridge.point[0] = s.axes.project(from);
+        ridge.point[1] = s.axes.project(to);
+        const CommonPolygon common = intersect(ridge, other, slack);
+        for (int i = 0; i < common.count; ++i) {
+            const CommonCorner& c = common.corner[at(i)];
+            if (c.b_from < 0 || c.a_from < 0) {
+                continue;
+            }
+            const std::int32_t rim_from = other.vertex[at(c.b_from)], rim_to = other.vertex[at(c.b_to)];
+            add_at(
+                on_edge(from, to, ridge.point[0], ridge.point[1], c.point),
+                is_of_a ? key(3, edge.from, edge.to, rim_from, rim_to) : key(3, rim_from, rim_to, edge.from, edge.to));
+        }
+    }
+}
+
 /// Corners of the intersection where at least one touching set is a polygon.
 void add_polygon(const Sides& s, double slack, PlaneContacts& found) {
     const CommonPolygon polygon = intersect(s.set_a, s.set_b, slack);
@@ -139,6 +208,8 @@ void add_polygon(const Sides& s, double slack, PlaneContacts& found) {
     }
     share_area(
         polygon.count, [&](int i) { return polygon.corner[at(i)].point; }, found);
+    add_inner(s, true, slack, found);
+    add_inner(s, false, slack, found);
 }
 
 /// A half-space is a face without an end: every touching corner of the other body is a contact. Those inside of the

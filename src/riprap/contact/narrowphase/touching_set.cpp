@@ -155,6 +155,7 @@ TouchingSet touching_set(const PlacedHull& hull, const Vec3& outward, const Touc
             ++set.count;
         }
     }
+    set.touching = set.count;
     if (set.count > 1) {
         make_convex(set);
     }

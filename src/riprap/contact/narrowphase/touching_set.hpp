@@ -24,6 +24,7 @@ inline constexpr int most_touching = 32;
 /// counter-clockwise about the normal.
 struct TouchingSet {
     int count{0};
+    int touching{0};  ///< all corners that touch, those inside of the set or on a side of it included
     std::array<std::int32_t, most_touching> vertex;
     std::array<PlanePoint, most_touching> point;
 };

@@ -67,6 +67,14 @@ std::shared_ptr<const body::ForceTable> forces_of(CaseBuild& build, const Value&
 void add_file_loads(CaseBuild& build, const Value& table, const std::vector<SectionBlock>& blocks,
                     std::span<const geometry::Vec2> points, std::span<const geometry::DdaLoadHistory> loads,
                     std::int32_t first) {
+    const bool has_own = !get(table, "load").items.empty();
+    if (table.find("analysis") != nullptr && !has_own && loads.size() < points.size()) {
+        build.warnings.push_back(
+            to_string(Diagnostic{get(table, "analysis").place,
+                                 fmt::format("{} of the {} load points of the geometry file have no load",
+                                             points.size() - loads.size(), points.size()),
+                                 "a load for each of them, in their order"}));
+    }
     for (std::size_t k = 0; k < loads.size(); ++k) {
         const auto& records = loads[k].records;
         const std::int64_t i = k < points.size() ? block_at(blocks, points[k]) : -1;

@@ -63,20 +63,38 @@ void find_in_ground_pair(const BlockSystem& system, const BlockState& state, con
                    history, begin, end, reach, near, found);
 }
 
-/// Appends the contact point of one pair where a block of it is a ball. @returns whether one is
+/// Radius of the ball, or of the disc of a planar scene, that a block stands for, 0 = neither; and half of the disc's
+/// thickness, 0 = a ball [m].
+Disc round_shape(const BlockSystem& system, std::int32_t block) {
+    const Shape& shape = system.shape_of(block);
+    return system.is_planar ? disc_of(shape) : Disc{ball_radius(shape), 0};
+}
+
+/// Appends the contact points of one pair where a block of it is a ball (one) or a disc (two). @returns whether one is
 bool find_in_round_pair(const BlockSystem& system, const BlockState& state, const PlacedBlocks& placed,
-                        const contact::PartPair& pair, RowsOfPairs& rows, double reach,
-                        std::vector<BlockContact>& found) {
-    const double of_a = ball_radius(system.shape_of(pair.a)), of_b = ball_radius(system.shape_of(pair.b));
-    if (of_a == 0 && of_b == 0) {
+                        const contact::PartPair& pair, const BlockContactHistory& history, RowsOfPairs& rows,
+                        double reach, std::vector<BlockContact>& found) {
+    const Disc of_a = round_shape(system, pair.a), of_b = round_shape(system, pair.b);
+    if (of_a.radius == 0 && of_b.radius == 0) {
         return false;
     }
-    const RoundSide a{placed.hull(system, state, pair.a), rows_at(state.deformation, at(pair.a)), of_a};
-    const RoundSide b{placed.hull(system, state, pair.b), rows_at(state.deformation, at(pair.b)), of_b};
-    if (auto contact = find_at_ball(pair, a, b, reach)) {
-        const auto [begin, end] = rows.of(pair);
-        contact->old = begin < end ? static_cast<std::int64_t>(begin) : -1;
-        found.push_back(*contact);
+    const RoundSide a{placed.hull(system, state, pair.a), rows_at(state.deformation, at(pair.a)), of_a.radius};
+    const RoundSide b{placed.hull(system, state, pair.b), rows_at(state.deformation, at(pair.b)), of_b.radius};
+    const auto middle = find_at_ball(pair, a, b, reach);
+    if (!middle) {
+        return true;
+    }
+    const double half = std::max(of_a.half, of_b.half);
+    const auto [begin, end] = rows.of(pair);
+    for (const bool is_far : {false, true}) {
+        if (is_far && half == 0) {
+            continue;
+        }
+        BlockContact contact = half > 0 ? at_end_of_disc(*middle, half, is_far) : *middle;
+        for (std::size_t row = begin; row < end; ++row) {
+            contact.old = history.feature[row] == contact.feature ? static_cast<std::int64_t>(row) : contact.old;
+        }
+        found.push_back(contact);
     }
     return true;
 }
@@ -246,7 +264,7 @@ const std::vector<BlockContact>& ContactFinder::find(const BlockSystem& system, 
                     continue;
                 }
             }
-            if (find_in_round_pair(system, state, placed, pair, rows, reach, chunk)) {
+            if (find_in_round_pair(system, state, placed, pair, history, rows, reach, chunk)) {
                 continue;
             }
             find_in_pair(pair, placed.hull(system, state, pair.a), placed.hull(system, state, pair.b), history, rows,

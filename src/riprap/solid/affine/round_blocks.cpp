@@ -14,8 +14,8 @@ using contact::PlacedHull;
 
 namespace {
 
-constexpr std::size_t corners_of_a_ball = 162;
-/// Names the only contact point of a ball with a body.
+constexpr std::size_t corners_of_a_ball = 162, corners_of_a_disc = 128;
+/// Names the only contact point of a ball with a body, and the first of the two of a disc.
 constexpr std::uint64_t ball_feature = std::uint64_t{4} << 60U;
 
 /// Point of the surface of a convex body next to a point, and the direction from it.
@@ -94,6 +94,18 @@ double ball_radius(const Shape& shape) {
     return is_round ? std::cbrt(0.75 * std::numbers::inv_pi * shape.volume) : 0;
 }
 
+Disc disc_of(const Shape& shape) {
+    if (shape.vertices.size() != corners_of_a_disc) {
+        return {};
+    }
+    const auto across = [](const Vec3& x) { return std::hypot(x.x, x.y); };
+    const double radius = across(shape.vertices[0]), half = std::abs(shape.vertices[0].z);
+    const bool is_round = std::ranges::all_of(shape.vertices, [&](const Vec3& x) {
+        return std::abs(across(x) - radius) < 1e-6 * radius && std::abs(std::abs(x.z) - half) < 1e-6 * half;
+    });
+    return is_round ? Disc{std::sqrt(0.5 * std::numbers::inv_pi * shape.volume / half), half} : Disc{};
+}
+
 std::optional<BlockContact> find_at_ball(const contact::PartPair& pair, const RoundSide& a, const RoundSide& b,
                                          double reach) {
     const bool is_a_ball = a.ball_radius > 0;
@@ -121,6 +133,15 @@ std::optional<BlockContact> find_at_ball(const contact::PartPair& pair, const Ro
     contact.on_a = is_a_ball ? tip : opposite;
     contact.on_b = is_a_ball ? opposite : tip;
     contact.gap = gap;
+    return contact;
+}
+
+BlockContact at_end_of_disc(const BlockContact& middle, double half, bool is_far) {
+    BlockContact contact = middle;
+    const Vec3 along{0, 0, is_far ? half : -half};
+    contact.on_a += along;
+    contact.on_b += along;
+    contact.feature += is_far ? 1 : 0;
     return contact;
 }
 
