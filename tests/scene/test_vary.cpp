@@ -50,7 +50,7 @@ TEST(Vary, gives_a_run_for_each_value_with_the_answer_expected_there) {
         "-1.0]\n");
     ASSERT_EQ(runs.size(), 2U);
     EXPECT_EQ(runs[1].label, "gravity.1 = -2");
-    EXPECT_THAT(runs[1].overrides, ::testing::ElementsAre("gravity.1=-2.0", "expect.0.value=-1.0"));
+    EXPECT_THAT(runs[1].overrides, ::testing::ElementsAre("gravity.1=-2", "expect.0.value=-1.0"));
 }
 
 TEST(Vary, changes_several_keys_together_by_rows) {
@@ -58,7 +58,41 @@ TEST(Vary, changes_several_keys_together_by_rows) {
         runs_of("[[vary]]\nname = \"elsewhere\"\nkey = [\"gravity.0\", \"gravity.1\"]\nrows = [[1.0, 2.0]]\n");
     ASSERT_EQ(runs.size(), 1U);
     EXPECT_EQ(runs[0].label, "elsewhere");
-    EXPECT_THAT(runs[0].overrides, ::testing::ElementsAre("gravity.0=1.0", "gravity.1=2.0"));
+    EXPECT_THAT(runs[0].overrides, ::testing::ElementsAre("gravity.0=1", "gravity.1=2"));
+}
+
+TEST(Vary, changes_a_word_and_a_count_and_a_tolerance) {
+    const auto words = runs_of("[[vary]]\nkey = \"solid.method\"\nwords = [\"sphere_dem\", \"planar_dda\"]\n");
+    ASSERT_EQ(words.size(), 2U);
+    EXPECT_EQ(words[1].label, "solid.method = planar_dda");
+    EXPECT_THAT(words[1].overrides, ::testing::ElementsAre("solid.method=\"planar_dda\""));
+    const auto seeds = runs_of(
+        "[[vary]]\nkey = \"seed\"\nvalues = [7, 8]\n[[vary.expect]]\nname = \"fall\"\nvalues = [-4.9, -4.9]\n"
+        "tolerances = [0.1, 0.2]\n");
+    EXPECT_THAT(seeds.at(1).overrides,
+                ::testing::ElementsAre("seed=8", "expect.0.value=-4.9", "expect.0.tolerance=0.2"));
+    EXPECT_THAT(problem_of("[[vary]]\nkey = \"solid.method\"\nwords = [\"plain_dda\"]\n"),
+                ::testing::HasSubstr("case.toml:18:7: solid.method = plain_dda"));
+    EXPECT_THAT(problem_of("[[vary]]\nkey = \"seed\"\nvalues = [7]\n[[vary.expect]]\nname = \"fall\"\nvalues = "
+                           "[-4.9]\ntolerances = [0.1, 0.2]\n"),
+                ::testing::HasSubstr("2 expected tolerances for 1 runs"));
+}
+
+TEST(Vary, refuses_ratios_and_orders_of_what_the_case_lacks) {
+    const std::string vary = "[[vary]]\nkey = \"end\"\nvalues = [0.5, 0.25]\n";
+    const std::string band = "low = 0.0\nhigh = 1.0\ncitation = \"none\"\n";
+    EXPECT_EQ(problem_of(vary + "[[vary.ratio]]\nname = \"fall\"\n" + band), "");
+    EXPECT_THAT(problem_of(vary + "[[vary.ratio]]\nname = \"fell\"\n" + band),
+                ::testing::HasSubstr("case.toml:21:8: there is no [[expect]] 'fell'"));
+    EXPECT_THAT(problem_of("[[vary]]\nkey = \"end\"\nvalues = [0.5]\n[[vary.order]]\nname = \"fall\"\n" + band),
+                ::testing::HasSubstr("two numbers of the key or more"));
+    EXPECT_THAT(problem_of("[[vary]]\nkey = \"solid.method\"\nwords = [\"sphere_dem\", \"planar_dda\"]\n"
+                           "[[vary.order]]\nname = \"fall\"\n" +
+                           band),
+                ::testing::HasSubstr("two numbers of the key or more"));
+    EXPECT_THAT(problem_of("[[expect]]\nname = \"time\"\nquantity = \"time\"\nreported = true\ncitation = \"none\"\n" +
+                           vary + "[[vary.order]]\nname = \"time\"\n" + band),
+                ::testing::HasSubstr("gives no 'value' that could be approached"));
 }
 
 TEST(Vary, marks_runs_of_the_long_version) {

@@ -71,6 +71,52 @@ double period_of(const RunningFigures& f) {
     return f.crossings < 3 ? missing : (f.last_crossing - f.first_crossing) / std::floor((f.crossings - 1) / 2);
 }
 
+/// Keeps the values at the points of a curve that `along` reaches for the first time; before add().
+void look_at_curve(RunningFigures& f, std::vector<double>& met, const sim::ExpectCurve& curve, double along,
+                   double value) {
+    constexpr double forgiven = 1e-9;  // of a step: the end of a run may miss the last point by round-off
+    const double before = f.previous_trigger, reached = along + forgiven * (along - before);
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        const double point = curve.along[i];
+        if (!std::isnan(met[i])) {
+            continue;
+        }
+        if (along == point) {
+            met[i] = value;
+        } else if (!std::isnan(before) && (before < point) != (reached < point)) {
+            met[i] = between(f, value, before, along, point);
+        }
+    }
+    f.previous_trigger = along;
+}
+
+/// Returns the error of a curve, the constant that makes it least taken off as far as the source allows; missing where
+/// a point was not reached.
+double error_of(const std::vector<double>& met, const sim::ExpectCurve& curve, const std::string& how) {
+    double low = infinity, high = -infinity, sum = 0;
+    const auto count = static_cast<double>(met.size());
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        const double difference = met[i] - curve.value[i];
+        if (std::isnan(difference)) {
+            return missing;
+        }
+        low = std::min(low, difference);
+        high = std::max(high, difference);
+        sum += difference;
+    }
+    const double best = how == "rms" ? sum / count : 0.5 * (low + high);
+    const double shift = std::clamp(best, -curve.shift, curve.shift);
+    if (how == "worst") {
+        return std::max(std::abs(low - shift), std::abs(high - shift));
+    }
+    double square = 0;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        const double difference = met[i] - curve.value[i] - shift;
+        square += difference * difference;
+    }
+    return std::sqrt(square / count);
+}
+
 void add(RunningFigures& f, double time, double value) {
     if (f.count > 0) {
         f.integral += 0.5 * (f.previous + value) * (time - f.previous_time);
@@ -117,7 +163,7 @@ double reduce(const RunningFigures& f, const std::string& how) {
     return how == "at" || how == "when" ? f.at : f.last;
 }
 
-/// Time of the figure that `reduce` returns; missing for a mean and a period [s].
+/// Time of the figure that `reduce` returns; missing for a mean, a period and a curve [s].
 double time_of(const RunningFigures& f, const std::string& how) {
     if (how == "min" || (how == "extreme" && is_lower_extreme(f))) {
         return f.minimum_time;
@@ -128,25 +174,36 @@ double time_of(const RunningFigures& f, const std::string& how) {
     if (how == "last") {
         return f.previous_time;
     }
-    return how == "mean" || how == "period" || std::isnan(f.at) ? missing : f.at_time;
+    return how == "at" || how == "when" ? (std::isnan(f.at) ? missing : f.at_time) : missing;
 }
 
 /// Tells whether the run lasts to the end of the window of an expected answer.
 bool is_reached(const sim::Expect& expect, double end) {
-    return expect.at <= end && expect.from <= end && (std::isinf(expect.to) || expect.to <= end);
+    const sim::ExpectCurve& curve = expect.curve;
+    const bool has_points = curve.quantity != "time" || curve.along.empty() ||
+                            *std::max_element(curve.along.begin(), curve.along.end()) <= end;
+    return has_points && expect.at <= end && expect.from <= end && (std::isinf(expect.to) || expect.to <= end);
+}
+
+/// Returns the unit of a quotient.
+std::string unit_over(const std::string& above, const std::string& below) {
+    return below == "-" ? above : above == below ? "-" : fmt::format("({})/({})", above, below);
 }
 
 /// Returns the reason why there is no value.
 std::string cause_of_none(const ExpectResult& result) {
-    return result.reduce == "when"     ? "the quantity of 'when' did not reach its level"
-           : result.reduce == "at"     ? "the quantity had none at that time"
-           : result.reduce == "period" ? "it passed its level less than three times"
-                                       : "no step of its window had one";
+    return result.reduce == "when"           ? "the quantity of 'when' did not reach its level"
+           : result.reduce == "at"           ? "the quantity had none at that time"
+           : sim::is_of_curve(result.reduce) ? "a point of the curve was not reached"
+           : result.reduce == "period"       ? "it passed its level less than three times"
+                                             : "no step of its window had one";
 }
 
 /// Colour of a verdict on a terminal.
 Tint tint_of(Verdict verdict) {
-    return verdict == Verdict::passed ? Tint::good : verdict == Verdict::failed ? Tint::bad : Tint::caution;
+    return verdict == Verdict::passed || verdict == Verdict::reported ? Tint::good
+           : verdict == Verdict::failed                               ? Tint::bad
+                                                                      : Tint::caution;
 }
 
 Diagnostic problem_of(const sim::Expect& expect, std::string message, std::string allowed) {
@@ -161,6 +218,8 @@ std::string_view to_string(Verdict verdict) {
             return "passed";
         case Verdict::failed:
             return "failed";
+        case Verdict::reported:
+            return "reported";
         default:
             return "not_judged";
     }
@@ -183,8 +242,15 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
             }
             return column.value_or(sim::Column{});
         };
-        columns_.push_back(find(expect.quantity));
-        triggers_.push_back(expect.reduce == "when" ? find(expect.when) : sim::Column{});
+        Columns columns{.quantity = find(expect.quantity), .relative_to = {}, .trigger = {}};
+        if (!expect.relative_to.empty()) {
+            columns.relative_to = find(expect.relative_to);
+        }
+        if (expect.reduce == "when" || sim::is_of_curve(expect.reduce)) {
+            columns.trigger = find(expect.reduce == "when" ? expect.when : expect.curve.quantity);
+        }
+        columns_.push_back(std::move(columns));
+        met_.emplace_back(expect.curve.along.size(), missing);
     }
     if (!problems.empty()) {
         throw CaseError(std::move(problems));
@@ -193,13 +259,17 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
 
 void ExpectWatch::look(const sim::Moment& moment) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-        const double value = evaluate(columns_[i], moment);
         const sim::Expect& expect = model_.expects[i];
+        const double off = expect.relative_to.empty() ? 0 : evaluate(columns_[i].relative_to, moment);
+        const double value = evaluate(columns_[i].quantity, moment) - off;
         if (!std::isnan(value) && moment.state.time >= expect.from && moment.state.time <= expect.to) {
             if (expect.reduce == "at") {
                 look_at_time(figures_[i], moment.state.time, value, expect.at);
             } else if (expect.reduce == "when") {
-                look_at_trigger(figures_[i], moment.state.time, evaluate(triggers_[i], moment), value, expect.reaches);
+                look_at_trigger(figures_[i], moment.state.time, evaluate(columns_[i].trigger, moment), value,
+                                expect.reaches);
+            } else if (sim::is_of_curve(expect.reduce)) {
+                look_at_curve(figures_[i], met_[i], expect.curve, evaluate(columns_[i].trigger, moment), value);
             } else if (expect.reduce == "period") {
                 look_at_crossing(figures_[i], moment.state.time, value, expect.reaches);
             }
@@ -210,19 +280,35 @@ void ExpectWatch::look(const sim::Moment& moment) {
 
 std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
     std::vector<ExpectResult> results;
+    std::vector<bool> is_known;  // whether an answer has come; those that name it wait for it
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const sim::Expect& expect = model_.expects[i];
         ExpectResult result{.name = expect.name,
                             .quantity = expect.quantity,
                             .reduce = expect.reduce,
-                            .unit = expect.reduce == "period" ? "s" : columns_[i].unit,
+                            .unit = expect.reduce == "period" ? "s" : columns_[i].quantity.unit,
                             .citation = expect.citation,
-                            .value = reduce(figures_[i], expect.reduce),
+                            .value = sim::is_of_curve(expect.reduce) ? error_of(met_[i], expect.curve, expect.reduce)
+                                                                     : reduce(figures_[i], expect.reduce),
                             .time = time_of(figures_[i], expect.reduce),
                             .low = expect.low,
                             .high = expect.high};
         const bool has_happened = expect.reduce == "when" && !std::isnan(result.value);
-        if (at_end && (has_happened || is_reached(expect, model_.time.end))) {
+        bool is_due = has_happened || is_reached(expect, model_.time.end);
+        if (expect.minus >= 0) {
+            result.value -= results[static_cast<std::size_t>(expect.minus)].value;
+            is_due = is_due && is_known[static_cast<std::size_t>(expect.minus)];
+        }
+        if (expect.over >= 0) {
+            const ExpectResult& below = results[static_cast<std::size_t>(expect.over)];
+            result.value /= below.value;
+            result.unit = unit_over(result.unit, below.unit);
+            is_due = is_due && is_known[static_cast<std::size_t>(expect.over)];
+        }
+        is_known.push_back(is_due);
+        if (at_end && is_due && expect.is_reported) {
+            result.verdict = Verdict::reported;
+        } else if (at_end && is_due) {
             const bool is_within = expect.low <= result.value && result.value <= expect.high;  // false for NaN
             result.verdict = is_within ? Verdict::passed : Verdict::failed;
         }
@@ -236,12 +322,19 @@ std::vector<double> ExpectWatch::save() const {
     if (!numbers.empty()) {
         std::memcpy(numbers.data(), figures_.data(), numbers.size() * sizeof(double));
     }
+    for (const std::vector<double>& met : met_) {
+        numbers.insert(numbers.end(), met.begin(), met.end());
+    }
     return numbers;
 }
 
 void ExpectWatch::load(const std::vector<double>& numbers) {
-    const bool is_before_crossings = numbers.size() == figures_.size() * numbers_before_crossings;
-    if (numbers.size() != figures_.size() * numbers_each && !is_before_crossings) {
+    std::size_t points = 0;
+    for (const std::vector<double>& met : met_) {
+        points += met.size();
+    }
+    const bool is_before_crossings = points == 0 && numbers.size() == figures_.size() * numbers_before_crossings;
+    if (numbers.size() != figures_.size() * numbers_each + points && !is_before_crossings) {
         throw CheckpointError(
             "the expected answers in the checkpoint are not those of the case, or another version of Riprap wrote "
             "them");
@@ -250,6 +343,11 @@ void ExpectWatch::load(const std::vector<double>& numbers) {
     for (std::size_t i = 0; i < figures_.size(); ++i) {
         figures_[i] = nothing_seen;
         std::memcpy(static_cast<void*>(&figures_[i]), numbers.data() + i * stored, stored * sizeof(double));
+    }
+    auto next = numbers.begin() + static_cast<std::ptrdiff_t>(figures_.size() * stored);
+    for (std::vector<double>& met : met_) {
+        std::copy_n(next, met.size(), met.begin());
+        next += static_cast<std::ptrdiff_t>(met.size());
     }
 }
 
@@ -265,8 +363,10 @@ std::string verdict_table(const std::vector<ExpectResult>& results, bool is_colo
                                    "at [s]", "band", "unit");
     for (const ExpectResult& result : results) {
         const std::string time = std::isnan(result.time) ? "-" : fmt::format("{:.5g}", result.time);
-        text += fmt::format("{:<{}}  {:>14.7g}  {:>10}  {:>13.7g} .. {:>12.7g}  {:<8}  {}\n", result.name, width,
-                            result.value, time, result.low, result.high, result.unit,
+        const std::string band =
+            result.low == -infinity ? "" : fmt::format("{:>13.7g} .. {:>12.7g}", result.low, result.high);
+        text += fmt::format("{:<{}}  {:>14.7g}  {:>10}  {:>29}  {:<8}  {}\n", result.name, width, result.value, time,
+                            band, result.unit,
                             tinted(result.verdict == Verdict::not_judged ? "not judged" : to_string(result.verdict),
                                    tint_of(result.verdict), is_coloured));
     }

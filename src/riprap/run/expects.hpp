@@ -24,15 +24,16 @@ struct RunningFigures {
 enum class Verdict {
     passed,
     failed,      ///< outside its band, or never seen
+    reported,    ///< has no band
     not_judged,  ///< the run stopped before its end, or that comes before what is looked at
 };
 std::string_view to_string(Verdict verdict);
 
 struct ExpectResult {
     std::string name, quantity, reduce, unit, citation;
-    double value{0};  ///< NaN when never seen
-    double time{0};   ///< when it was that; NaN for a mean, and when never seen [s]
-    double low{0}, high{0};
+    double value{0};         ///< NaN when never seen
+    double time{0};          ///< when it was that; NaN for a mean, and when never seen [s]
+    double low{0}, high{0};  ///< infinite of what is only reported
     Verdict verdict{Verdict::not_judged};
 };
 
@@ -41,6 +42,12 @@ class ExpectWatch {
  public:
     /// @throws CaseError for a quantity or a reduce that does not exist
     explicit ExpectWatch(const sim::Model& model);
+
+    /// Columns of one expected answer; those that it does not name are unset.
+    struct Columns {
+        sim::Column quantity, relative_to;
+        sim::Column trigger;  ///< of reduce = when, and what the points of a curve are along
+    };
 
     /// Takes the values at one moment. A missing value (a contact force before the first step) is left out.
     void look(const sim::Moment& moment);
@@ -54,9 +61,9 @@ class ExpectWatch {
 
  private:
     const sim::Model& model_;
-    std::vector<sim::Column> columns_;
-    std::vector<sim::Column> triggers_;  ///< of reduce = when; unset otherwise
+    std::vector<Columns> columns_;
     std::vector<RunningFigures> figures_;
+    std::vector<std::vector<double>> met_;  ///< values at the points of curves; NaN before they are reached
 };
 
 /// The table of verdicts as printed at the end of a run, those in colour if asked; empty without expects.

@@ -65,6 +65,13 @@ struct OutputSettings {
     std::vector<coupling::FaceGauge> faces;  ///< of the gauges of kind wall_pressure, see Gauge::face
 };
 
+/// Points of another source, beside which the values of an expected answer are held.
+struct ExpectCurve {
+    std::vector<double> along, value;  ///< empty: none
+    std::string quantity{"time"};      ///< whose values `along` are
+    double shift{0};                   ///< largest constant that the source allows all values to differ by
+};
+
 /// An expected answer: a case is also a test.
 struct Expect {
     std::string name;
@@ -78,6 +85,11 @@ struct Expect {
     std::string when{};  ///< for reduce = when: the value at the moment at which this quantity first
     double reaches{0};   ///< ... reaches this level, from above or below
     double from{0}, to{std::numeric_limits<double>::infinity()};  ///< steps looked at, not for at and when [s]
+    std::string relative_to{};  ///< a quantity that is taken off at every moment; empty = none
+    std::int32_t minus{-1};     ///< an earlier answer of the list that is taken off the reduced value; -1 = none
+    std::int32_t over{-1};      ///< an earlier answer by which that is divided; -1 = none
+    bool is_reported{false};    ///< has no band
+    ExpectCurve curve{};        ///< for reduce = rms and worst
 };
 
 /// Model: the content of the case. Built once by scene/, then const.

@@ -17,6 +17,7 @@
 #include "riprap/run/simulation.hpp"
 #include "riprap/scene/build/variations.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
+#include "riprap/validation/compared_runs.hpp"
 #include "riprap/validation/cross/scene.hpp"
 
 namespace riprap::validation {
@@ -102,6 +103,13 @@ std::optional<CloseBand> close_band(const scene::Value& expect, double value) {
 
 /// Reports one answer of a run. @param expect  as the case has it, @param found  as the run judged it
 void report_answer(const scene::Value& expect, const json& found, const std::string& label, CaseReport& report) {
+    if (found.at("verdict") == "reported") {
+        const json& told = found.at("value");
+        report.state({found.at("name").get<std::string>() + (label.empty() ? "" : "; " + label),
+                      found.at("unit").get<std::string>(), scene::get_text(expect, "citation")},
+                     told.is_number() ? told.get<double>() : std::nan(""));
+        return;
+    }
     Reference reference;
     reference.quantity = found.at("name").get<std::string>() + (label.empty() ? "" : "; " + label);
     reference.unit = found.at("unit").get<std::string>();
@@ -120,8 +128,9 @@ void report_answer(const scene::Value& expect, const json& found, const std::str
     report.judge(reference, value, low, high, close_band(expect, reference.exact.value_or(0.5 * (low + high))));
 }
 
-void run_variation(const CaseSetting& setting, const scene::Variation& variation, const fs::path& out,
-                   CaseReport& report) {
+/// Returns the answers of a run and what was expected there.
+RunAnswers run_variation(const CaseSetting& setting, const scene::Variation& variation, const fs::path& out,
+                         CaseReport& report) {
     scene::LoadedCase loaded = scene::read_case((setting.folder / "case.toml").string(), variation.overrides);
     std::vector<Diagnostic> ignored;
     const scene::Value checked = scene::parse_toml(loaded.resolved_toml, "the resolved case", ignored);
@@ -130,6 +139,7 @@ void run_variation(const CaseSetting& setting, const scene::Variation& variation
     for (std::size_t i = 0; i < answers.size(); ++i) {
         report_answer(expects->items.at(i), answers[i], variation.label, report);
     }
+    return answers_of_run(*expects, answers, variation);
 }
 
 }  // namespace
@@ -157,20 +167,23 @@ std::vector<ValidationCase> file_cases(std::span<const ValidationCase> coded) {
 void run_case_file(const CaseSetting& setting, CaseReport& report) {
     const scene::LoadedCase plain = scene::read_case((setting.folder / "case.toml").string(), {});
     std::vector<Diagnostic> ignored;
+    const scene::Value checked = scene::parse_toml(plain.resolved_toml, "the resolved case", ignored);
     std::vector<scene::Variation> runs{{}};
-    for (scene::Variation& run : variations_of(scene::parse_toml(plain.resolved_toml, "the resolved case", ignored))) {
+    for (scene::Variation& run : variations_of(checked)) {
         if (setting.is_full || !run.is_full) {
             runs.push_back(std::move(run));
         }
     }
     const RunRoot root(setting);
+    std::vector<RunAnswers> answers;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         try {
-            run_variation(setting, runs[i], root.path() / fmt::format("run_{}", i), report);
+            answers.push_back(run_variation(setting, runs[i], root.path() / fmt::format("run_{}", i), report));
         } catch (const std::exception& error) {
             report.fail((runs[i].label.empty() ? "" : runs[i].label + ": ") + error.what());
         }
     }
+    compare_runs(checked, answers, report);
 }
 
 }  // namespace riprap::validation

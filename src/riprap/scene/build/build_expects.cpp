@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "riprap/scene/build/expect_curves.hpp"
 #include "riprap/scene/text/suggest.hpp"
 #include "riprap/sim/abilities.hpp"
 
@@ -92,12 +94,8 @@ void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
     if (given == nullptr) {
         return;
     }
-    if (expect.reduce == "at" || (expect.reduce == "when" && from != nullptr)) {
-        build.problem(
-            given->place,
-            fmt::format("{} where reduce = \"{}\"",
-                        expect.reduce == "at" ? "'from' and 'to' say nothing" : "'from' says nothing", expect.reduce),
-            "with last, min, max, extreme, mean or period");
+    if (expect.reduce == "at") {
+        build.problem(given->place, "'from' and 'to' say nothing where reduce = \"at\"", "with any other");
     }
     expect.from = get_number_or(table, "from", expect.from);
     expect.to = get_number_or(table, "to", expect.to);
@@ -140,6 +138,69 @@ void read_level(CaseBuild& build, const Value& table, sim::Expect& expect) {
     expect.reaches = reaches != nullptr ? reaches->as_number() : 0;
 }
 
+/// Returns the number of the earlier answer that a key names; -1 without the key, or with a problem.
+std::int32_t earlier_answer(CaseBuild& build, const Value& table, std::string_view key) {
+    const Value* name = table.find(key);
+    if (name == nullptr) {
+        return -1;
+    }
+    std::vector<std::string> known;
+    std::int32_t found = -1;
+    for (std::size_t i = 0; i < build.model.expects.size(); ++i) {
+        known.push_back(build.model.expects[i].name);
+        found = known.back() == name->text ? static_cast<std::int32_t>(i) : found;
+    }
+    if (found < 0) {
+        const std::string meant = nearest(name->text, known);
+        build.problem(name->place, fmt::format("no [[expect]] before this one is called '{}'", name->text),
+                      meant.empty() ? "the name of an earlier one" : fmt::format("did you mean '{}'?", meant));
+    } else if (std::count(known.begin(), known.end(), name->text) > 1) {
+        build.problem(name->place, fmt::format("several [[expect]] before this one are called '{}'", name->text),
+                      "names of their own");
+    }
+    return found;
+}
+
+/// Reads the band about the expected number; false with a problem.
+bool read_band(CaseBuild& build, const Value& table, sim::Expect& expect) {
+    if (const Value* reported = table.find("reported")) {
+        expect.is_reported = true;
+        expect.low = -std::numeric_limits<double>::infinity();
+        expect.high = std::numeric_limits<double>::infinity();
+        if (!reported->boolean) {
+            build.problem(reported->place, "reported = false says nothing", "a 'value' or 'low' and 'high' instead");
+        }
+        return reported->boolean;
+    }
+    if (const Value* value = table.find("value")) {
+        expect.value = value->as_number();
+        const Value* absolute = table.find("tolerance");
+        const Value* relative = table.find("relative_tolerance");
+        if (absolute == nullptr && relative == nullptr) {
+            build.problem(table.place, fmt::format("[[expect]] '{}' lacks a tolerance", expect.name),
+                          "tolerance or relative_tolerance");
+            return false;
+        }
+        if (absolute == nullptr && expect.value == 0) {
+            build.problem(relative->place, "a relative_tolerance of value = 0 is no band", "tolerance");
+            return false;
+        }
+        const double band =
+            absolute != nullptr ? absolute->as_number() : relative->as_number() * std::abs(expect.value);
+        expect.low = expect.value - band;
+        expect.high = expect.value + band;
+        return true;
+    }
+    expect.low = get_number(table, "low");
+    expect.high = get_number(table, "high");
+    expect.value = 0.5 * (expect.low + expect.high);
+    if (expect.low > expect.high) {
+        build.problem(table.place, fmt::format("low = {} lies above high = {}", expect.low, expect.high), "");
+        return false;
+    }
+    return true;
+}
+
 void read_expect(CaseBuild& build, const Value& table) {
     sim::Expect expect;
     expect.name = get_text(table, "name");
@@ -161,35 +222,19 @@ void read_expect(CaseBuild& build, const Value& table) {
     read_window(build, table, expect);
     const Value* when = table.find("when");
     read_level(build, table, expect);
-    if (const Value* value = table.find("value")) {
-        expect.value = value->as_number();
-        const Value* absolute = table.find("tolerance");
-        const Value* relative = table.find("relative_tolerance");
-        if (absolute == nullptr && relative == nullptr) {
-            build.problem(table.place, fmt::format("[[expect]] '{}' lacks a tolerance", expect.name),
-                          "tolerance or relative_tolerance");
-            return;
-        }
-        if (absolute == nullptr && expect.value == 0) {
-            build.problem(relative->place, "a relative_tolerance of value = 0 is no band", "tolerance");
-            return;
-        }
-        const double band =
-            absolute != nullptr ? absolute->as_number() : relative->as_number() * std::abs(expect.value);
-        expect.low = expect.value - band;
-        expect.high = expect.value + band;
-    } else {
-        expect.low = get_number(table, "low");
-        expect.high = get_number(table, "high");
-        expect.value = 0.5 * (expect.low + expect.high);
-        if (expect.low > expect.high) {
-            build.problem(table.place, fmt::format("low = {} lies above high = {}", expect.low, expect.high), "");
-            return;
-        }
+    expect.minus = earlier_answer(build, table, "minus");
+    expect.over = earlier_answer(build, table, "over");
+    if (!read_band(build, table, expect) || !read_curve(build, table, expect)) {
+        return;
     }
+    const Value* relative_to = table.find("relative_to");
+    expect.relative_to = relative_to != nullptr ? relative_to->text : "";
     const bool has_quantity = check_column(build, expect.quantity, get(table, "quantity").place);
     const bool has_trigger = when == nullptr || check_column(build, expect.when, when->place);
-    if (!has_quantity || !has_trigger) {
+    const bool has_other = relative_to == nullptr || check_column(build, expect.relative_to, relative_to->place);
+    const Value* curve = table.find("curve");
+    const bool has_along = curve == nullptr || check_column(build, expect.curve.quantity, get(*curve, "along").place);
+    if (!has_quantity || !has_trigger || !has_other || !has_along) {
         return;
     }
     build.model.expects.push_back(std::move(expect));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
 #include "riprap/scene/keys/check_keys.hpp"
@@ -34,27 +35,38 @@ std::vector<std::string> keys_of(const Value& vary) {
 }
 
 /// The values of every key, a row for each run.
-std::vector<std::vector<double>> rows_of(const Value& vary) {
-    std::vector<std::vector<double>> rows;
-    for (const Value& value : list_of(vary, "values").items) {
-        rows.push_back({value.as_number()});
+std::vector<std::vector<Value>> rows_of(const Value& vary) {
+    std::vector<std::vector<Value>> rows;
+    for (const char* const key : {"values", "words"}) {
+        for (const Value& value : list_of(vary, key).items) {
+            rows.push_back({value});
+        }
     }
     for (const Value& row : list_of(vary, "rows").items) {
-        std::vector<double>& values = rows.emplace_back();
-        for (const Value& value : row.items) {
-            values.push_back(value.as_number());
-        }
+        rows.push_back(row.items);
     }
     return rows;
 }
 
-std::string label_of(const Value& vary, const std::vector<std::string>& keys, const std::vector<double>& row,
-                     std::size_t count) {
+std::string label_of(const Value& vary, const std::vector<std::string>& keys, const Value& first, std::size_t count) {
     const Value* name = vary.find("name");
     if (name != nullptr && count == 1) {
         return name->text;
     }
-    return fmt::format("{} = {:.6g}", name != nullptr ? name->text : keys.front(), row.front());
+    const std::string_view what = name != nullptr ? name->text : keys.front();
+    return first.is_text() ? fmt::format("{} = {}", what, first.text)
+                           : fmt::format("{} = {:.6g}", what, first.as_number());
+}
+
+/// A value as --set takes it; a whole number without a point, as keys of counts want it and others take it.
+std::string override_text(const Value& value) {
+    if (value.is_text()) {
+        return fmt::format("\"{}\"", value.text);
+    }
+    const double number = value.as_number();
+    constexpr double most_whole = 1e15;
+    return number == std::trunc(number) && std::abs(number) < most_whole ? fmt::format("{:.0f}", number)
+                                                                         : number_text(number);
 }
 
 /// Number of the expected answer with a name; nothing where the case has none.
@@ -98,27 +110,68 @@ void check_answers(const Value& vary, const Value& checked, std::size_t runs, st
                                 fmt::format("[[expect]] '{}' gives no 'value' that could change", name.text),
                                 "a 'value'"});
         }
-        if (values.items.size() != runs) {
-            problems.push_back({values.place, fmt::format("{} expected values for {} runs", values.items.size(), runs),
-                                "one for each run"});
+        const Value* tolerances = answer.find("tolerances");
+        for (const Value* list : {&values, tolerances}) {
+            if (list != nullptr && list->items.size() != runs) {
+                problems.push_back({list->place,
+                                    fmt::format("{} expected {} for {} runs", list->items.size(),
+                                                list == tolerances ? "tolerances" : "values", runs),
+                                    "one for each run"});
+            }
+        }
+        if (tolerances != nullptr && expect && checked.find("expect")->items[*expect].find("tolerance") == nullptr) {
+            problems.push_back({tolerances->place, fmt::format("[[expect]] '{}' has no 'tolerance'", name.text),
+                                "a 'tolerance' there too"});
+        }
+    }
+}
+
+/// Refuses ratios and orders of answers that the case lacks, and orders without several numbers to fit.
+void check_comparisons(const Value& vary, const Value& checked, std::size_t runs, std::vector<Diagnostic>& problems) {
+    for (const char* const key : {"ratio", "order"}) {
+        for (const Value& one : list_of(vary, key).items) {
+            const Value& name = get(one, "name");
+            const bool is_order = std::string_view(key) == "order";
+            const std::optional<std::size_t> expect = expect_called(checked, name.text);
+            if (!expect) {
+                problems.push_back(
+                    {name.place, fmt::format("there is no [[expect]] '{}'", name.text), "the name of an [[expect]]"});
+            } else if (is_order && checked.find("expect")->items[*expect].find("value") == nullptr) {
+                problems.push_back({name.place,
+                                    fmt::format("[[expect]] '{}' gives no 'value' that could be approached", name.text),
+                                    "a 'value'"});
+            }
+            if (is_order && (runs < 2 || !list_of(vary, "words").items.empty())) {
+                problems.push_back({one.place, "an order of convergence takes two numbers of the key or more",
+                                    "several 'values' or 'rows'"});
+            }
         }
     }
 }
 
 /// Adds the runs of one [[vary]]; its answers must be there.
-void add_runs(const Value& vary, const Value& checked, std::vector<Variation>& runs) {
+void add_runs(const Value& vary, std::int32_t number, const Value& checked, std::vector<Variation>& runs) {
     const std::vector<std::string> keys = keys_of(vary);
-    const std::vector<std::vector<double>> rows = rows_of(vary);
+    const std::vector<std::vector<Value>> rows = rows_of(vary);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        Variation run{label_of(vary, keys, rows[i], rows.size()), {}, get_boolean(vary, "full")};
+        const Value& first = rows[i].front();
+        Variation run{label_of(vary, keys, first, rows.size()),
+                      {},
+                      get_boolean(vary, "full"),
+                      number,
+                      first.is_text() ? 0 : first.as_number()};
         for (std::size_t k = 0; k < keys.size(); ++k) {
-            run.overrides.push_back(fmt::format("{}={}", keys[k], number_text(rows[i][k])));
+            run.overrides.push_back(fmt::format("{}={}", keys[k], override_text(rows[i][k])));
         }
         for (const Value& answer : list_of(vary, "expect").items) {
             const std::optional<std::size_t> expect = expect_called(checked, get_text(answer, "name"));
             if (expect) {
                 run.overrides.push_back(fmt::format("expect.{}.value={}", *expect,
                                                     number_text(get(answer, "values").items[i].as_number())));
+                if (const Value* tolerances = answer.find("tolerances")) {
+                    run.overrides.push_back(
+                        fmt::format("expect.{}.tolerance={}", *expect, number_text(tolerances->items[i].as_number())));
+                }
             }
         }
         runs.push_back(std::move(run));
@@ -129,8 +182,9 @@ void add_runs(const Value& vary, const Value& checked, std::vector<Variation>& r
 
 std::vector<Variation> variations_of(const Value& checked) {
     std::vector<Variation> runs;
-    for (const Value& vary : list_of(checked, "vary").items) {
-        add_runs(vary, checked, runs);
+    const std::vector<Value>& list = list_of(checked, "vary").items;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        add_runs(list[i], static_cast<std::int32_t>(i), checked, runs);
     }
     return runs;
 }
@@ -138,9 +192,9 @@ std::vector<Variation> variations_of(const Value& checked) {
 void check_variations(const Value& checked, const Value& root, bool is_planar, std::vector<Diagnostic>& problems) {
     for (const Value& vary : list_of(checked, "vary").items) {
         const std::vector<std::string> keys = keys_of(vary);
-        const std::vector<std::vector<double>> rows = rows_of(vary);
+        const std::vector<std::vector<Value>> rows = rows_of(vary);
         const std::size_t before = problems.size();
-        for (const std::vector<double>& row : rows) {
+        for (const std::vector<Value>& row : rows) {
             if (row.size() != keys.size()) {
                 problems.push_back({get(vary, "key").place,
                                     fmt::format("a row of {} values for {} keys", row.size(), keys.size()),
@@ -149,11 +203,12 @@ void check_variations(const Value& checked, const Value& root, bool is_planar, s
             }
         }
         check_answers(vary, checked, rows.size(), problems);
+        check_comparisons(vary, checked, rows.size(), problems);
         if (problems.size() > before) {
             continue;
         }
         std::vector<Variation> runs;
-        add_runs(vary, checked, runs);
+        add_runs(vary, 0, checked, runs);
         for (const Variation& run : runs) {
             if (const auto refused = refusal(root, run.overrides, is_planar)) {
                 problems.push_back(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ struct Variation {
     std::string label;                   ///< "body.disc.density = 700"
     std::vector<std::string> overrides;  ///< "key=value" each, those of the expected answers included
     bool is_full{false};                 ///< only in the long version of the validation
+    std::int32_t vary{-1};               ///< number of its [[vary]]; -1 for the case as it stands
+    double first{0};                     ///< value of the first key; 0 where that is a text
 };
 
 /// Returns the runs that the [[vary]] of a case ask for, in their order.

@@ -118,6 +118,28 @@ const Table& close_table() {
     return table;
 }
 
+const Table& curve_table() {
+    static const Table table{
+        "expect.curve",
+        "curve = { ... }",
+        "Points of another source, say of an experiment. The quantity is read at the first moment at which `along` is "
+        "at "
+        "each point; what it never reaches has no value.",
+        {{"file", {path()}, "Table with two columns, along and value, in SI (docs/howto/tables.md).", {}},
+         {"points",
+          {list(list(number(dimension::plain), 2, 2), 1, 10000)},
+          "The same as rows of two numbers, [along, value].",
+          {}},
+         {"along", {text()}, "Quantity whose values the first column has.", Value::of("time")},
+         {"shift",
+          {number(dimension::plain, non_negative())},
+          "Largest constant by which all values may differ from those of the source, in SI: that which makes the error "
+          "least is taken off. With quantity = \"time\" it is a time, such as that of a gate.",
+          Value::of(0.0)}},
+        {{GroupRule::exactly_one, {"file", "points"}}}};
+    return table;
+}
+
 const Table& damage_table() {
     static const Table table{
         "output.damage",
@@ -166,7 +188,9 @@ const Table& expect_table() {
         "expect",
         "[[expect]]",
         "An answer that the run must reach. The accepted band is value +- tolerance, value (1 +- relative_tolerance), "
-        "or low to high.",
+        "or low to high. Reduced values may be taken off each other and divided by each other: a change since an "
+        "event, a "
+        "time between two events, a ratio.",
         {{"name", {text()}, "Name of the expected answer.", {}, true},
          {"quantity",
           {text()},
@@ -177,11 +201,28 @@ const Table& expect_table() {
          {"reduce",
           {choice({sim::reductions.begin(), sim::reductions.end()})},
           "Reduction of the column to one number. extreme: the lowest or the highest, whichever is farther from zero, "
-          "with its sign. period: the mean time between two passages of the level `reaches` in one direction.",
+          "with its sign. period: the mean time between two passages of the level `reaches` in one direction. rms, "
+          "worst: "
+          "root of the mean square, and largest, of the differences from the points of `curve`.",
           Value::of("last")},
+         {"relative_to",
+          {text()},
+          "Another quantity, whose value at the same moment is taken off: the place of a body relative to another, "
+          "say.",
+          {}},
+         {"minus",
+          {text()},
+          "Name of an earlier [[expect]] whose value is taken off the reduced one: reduce = \"last\" minus an answer "
+          "at "
+          "\"when\" is the change since that event.",
+          {}},
+         {"over", {text()}, "Name of an earlier [[expect]] by whose value the result is divided, after `minus`.", {}},
+         {"curve", {form::table(curve_table)}, "Points for reduce = \"rms\" and \"worst\".", {}},
          {"from",
           {number(dimension::time, non_negative())},
-          "Steps before this time do not count; not for at and when. The start when not given.",
+          "Steps before this time do not count; not for at. With when, the level is passed after it. The start when "
+          "not "
+          "given.",
           {}},
          {"to",
           {number(dimension::time, positive())},
@@ -204,6 +245,11 @@ const Table& expect_table() {
          {"relative_tolerance", {number(dimension::plain, non_negative())}, "Accepted relative error.", {}},
          {"low", {number(dimension::plain)}, "Lower end of the accepted band, in SI.", {}},
          {"high", {number(dimension::plain)}, "Upper end of the accepted band, in SI.", {}},
+         {"reported",
+          {boolean()},
+          "true instead of a band: the value is told and not judged. For what other answers name, and what no source "
+          "gives.",
+          {}},
          {"published", {number(dimension::plain)}, "What the source prints, where that is not `value`, in SI.", {}},
          {"close",
           {form::table(close_table)},
@@ -215,7 +261,7 @@ const Table& expect_table() {
           Value::of(false)},
          {"needs", {list(choice(ability_words()), 1, 8)}, ability_help(), {}},
          {"citation", {text()}, "Source of the value: a formula, a paper, an experiment.", {}, true}},
-        {{GroupRule::exactly_one, {"value", "low"}},
+        {{GroupRule::exactly_one, {"value", "low", "reported"}},
          {GroupRule::all_or_none, {"low", "high"}},
          {GroupRule::at_most_one, {"tolerance", "relative_tolerance"}}}};
     return table;

@@ -115,9 +115,12 @@ void add_edges(const SolidScene& scene, std::int32_t b, double radius, SphereSet
     }
 }
 
-/// Radius of the sphere or disc of a body's volume.
-double radius_of_volume(const body::BodySet& bodies, const material::MaterialSet& materials, std::size_t body) {
-    const double volume = bodies.mass[body] / materials[bodies.material[body]].density;
+/// Radius of the sphere or disc of a body's volume, whatever its density.
+double radius_of_volume(const body::BodySet& bodies, const geometry::ShapeSet& shapes, std::size_t body) {
+    double volume = 0;
+    for (std::int32_t p = bodies.part_begin[body]; p < bodies.part_begin[body + 1]; ++p) {
+        volume += shapes.volume(bodies.parts[at(p)].shape);
+    }
     return bodies.is_planar ? std::sqrt(volume / M_PI) : std::cbrt(0.75 * volume / M_PI);
 }
 
@@ -158,7 +161,7 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
     }
     // A body that cannot be sampled stands as one sphere, for its problem to be told.
     const auto refuse = [&](std::int32_t body, const geometry::GeometryProblem& problem) {
-        spheres.add(BodyId{body}, radius_of_volume(bodies, scene.materials, at(body)));
+        spheres.add(BodyId{body}, radius_of_volume(bodies, shapes, at(body)));
         if (problems != nullptr && problems->size() < 10) {
             problems->push_back({BodyId{body},
                                  fmt::format("spheres of {:.3g} m for the surface of '{}': {}", radius,
@@ -181,7 +184,7 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
             continue;
         }
         if (settings.sampling == SphereSampling::one || is_round(bodies, shapes, at(b))) {
-            spheres.add(BodyId{b}, radius_of_volume(bodies, scene.materials, at(b)));
+            spheres.add(BodyId{b}, radius_of_volume(bodies, shapes, at(b)));
             continue;
         }
         if (settings.sampling == SphereSampling::balls) {

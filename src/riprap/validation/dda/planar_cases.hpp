@@ -7,8 +7,6 @@
 
 namespace riprap::validation::dda {
 
-void planar_bar_impact(const CaseSetting& setting, CaseReport& report);
-void planar_cantilever(const CaseSetting& setting, CaseReport& report);
 void planar_disc(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::dda

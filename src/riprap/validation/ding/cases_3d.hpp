@@ -7,8 +7,6 @@
 
 namespace riprap::validation::ding {
 
-void free_fall_3d(const CaseSetting& setting, CaseReport& report);
-void incline_3d(const CaseSetting& setting, CaseReport& report);
 void arch_3d(const CaseSetting& setting, CaseReport& report);
 void dam_uplift(const CaseSetting& setting, CaseReport& report);
 void gravity_dam(const CaseSetting& setting, CaseReport& report);

@@ -72,63 +72,6 @@ struct Books {
 
 }  // namespace
 
-// Three cubes fall, two side by side and one onto them [Mellado2021, 4.6.3.1]; the layout is ours.
-void three_blocks(const CaseSetting& setting, CaseReport& report) {
-    SphereWorld world;
-    const MaterialId block = world.add_material(wood());
-    const MaterialId floor = world.add_material(steel());
-    world.add_plane(floor, {0, 0, 1}, {});
-    const std::size_t a = add_block(world, block, {-0.3, 0, 0.55}), b = add_block(world, block, {0.3, 0, 0.55}),
-                      c = add_block(world, block, {0, 0, 1.15});
-    world.gravity = {0, 0, -gravity};
-    world.build();
-    const double dt = world.step_limit(), end = setting.is_full ? 4 : 2;
-    Books books;
-    Plot plot;
-    plot.title = "Three blocks fall";
-    plot.x.label = "time [s]";
-    plot.y.label = "height of the centre [m]";
-    plot.curves = {
-        {"A", {}, {}, CurveStyle::line, -1}, {"B", {}, {}, CurveStyle::line, -1}, {"C", {}, {}, CurveStyle::line, -1}};
-    double reaction = 0;
-    std::int64_t count = 0;
-    for (std::int64_t n = 0; world.time < end; ++n) {
-        world.step(dt);
-        look_after(world, end, setting);
-        books.look(world);
-        if (world.time > end - 0.3) {
-            reaction -= world.scratch.loads.force[0].z;
-            ++count;
-        }
-        if (n % 50 == 0) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                plot.curves[k].x.push_back(world.time);
-                plot.curves[k].y.push_back(world.state.position[std::array{a, b, c}[k]].z);
-            }
-        }
-    }
-    write_plot(setting, "three_blocks", plot);
-    for (const auto& [name, body, height] :
-         {std::tuple{"A", a, 0.25}, std::tuple{"B", b, 0.25}, std::tuple{"C", c, 0.75}}) {
-        report.judge({fmt::format("settled height of block {}", name),
-                      "m",
-                      {},
-                      height,
-                      "1 % of a sphere's diameter; C settles between the spheres of A and B, which lie 50 mm apart: "
-                      "moved aside by "
-                      "s it stands lower by 50 - sqrt(50^2 - s^2) mm"},
-                     world.state.position[body].z, Absolute{0.01 * 2 * sphere_radius});
-    }
-    report.judge(
-        {"mean reaction of the floor after settling",
-         "N",
-         {},
-         3 * 150 * gravity,
-         "the thesis prints mean forces of 754 to 2649 N and, of another code, 1 to 2 N; neither is the weight"},
-        reaction / static_cast<double>(count), Relative{0.01});
-    books.judge(report);
-}
-
 namespace {
 
 /// Sixteen blocks and the ball [Mellado2021, 4.6.3]; positions, pivot and string are ours.

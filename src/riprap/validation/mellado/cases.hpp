@@ -7,15 +7,8 @@
 
 namespace riprap::validation::mellado {
 
-void normal_impact(const CaseSetting& setting, CaseReport& report);
-void oblique_impact(const CaseSetting& setting, CaseReport& report);
-void rolling(const CaseSetting& setting, CaseReport& report);
-void sliding_multisphere(const CaseSetting& setting, CaseReport& report);
-void single_drop(const CaseSetting& setting, CaseReport& report);
 void cylinders(const CaseSetting& setting, CaseReport& report);
-void three_blocks(const CaseSetting& setting, CaseReport& report);
 void demolisher(const CaseSetting& setting, CaseReport& report);
-void friction_strips(const CaseSetting& setting, CaseReport& report);
 void block_entry(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void floes_4(const CaseSetting& setting, CaseReport& report);
@@ -25,9 +18,6 @@ void floes_fine(const CaseSetting& setting, CaseReport& report);
 void floes_none(const CaseSetting& setting, CaseReport& report);
 void floe_methods(const CaseSetting& setting, CaseReport& report);
 void floe_ensemble(const CaseSetting& setting, CaseReport& report);
-void one_cube(const CaseSetting& setting, CaseReport& report);
 void three_cubes(const CaseSetting& setting, CaseReport& report);
-void six_cubes(const CaseSetting& setting, CaseReport& report);
-void sinking_cube(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::mellado

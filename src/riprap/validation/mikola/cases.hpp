@@ -13,11 +13,8 @@ void submarine_wedge(const CaseSetting& setting, CaseReport& report);
 void scott_russell(const CaseSetting& setting, CaseReport& report);
 
 // wedge_methods.cpp
-void wedge_methods(const CaseSetting& setting, CaseReport& report);
 // common_plane.cpp
-void common_plane(const CaseSetting& setting, CaseReport& report);
 // deformable_blocks.cpp
-void patch_test(const CaseSetting& setting, CaseReport& report);
 void rotating_block(const CaseSetting& setting, CaseReport& report);
 void bar_waves(const CaseSetting& setting, CaseReport& report);
 

@@ -19,37 +19,7 @@ namespace {
 using solid::affine::rows_at;
 using solid::explicit_dda::Form, solid::explicit_dda::stable_step, solid::explicit_dda::strain_frequency_squared;
 
-std::string name_of(Form form) { return form == Form::pseudo_rigid ? "finite strain" : "twelve unknowns"; }
-
 }  // namespace
-
-void patch_test(const CaseSetting&, CaseReport& report) {
-    // A cube between two fixed platens that stand closer than it is long: springs and block in series.
-    const double modulus = 1e8, stiffness = 1e8, squeeze = 1e-6;
-    for (const Form form : {Form::pseudo_rigid, Form::twelve_unknowns}) {
-        ExplicitTrial trial;
-        trial.settings.form = form;
-        trial.settings.mass_damping = 300;
-        add_material(trial.system, {2500, modulus, 0.25}, {stiffness / 4, 0});
-        add_box(trial.system, trial.state.blocks, {2, 2, 1},
-                {.position = {0, 0, -1 + 0.5 * squeeze}, .is_fixed = true});
-        const auto cube = add_box(trial.system, trial.state.blocks, {1, 1, 1}, {});
-        add_box(trial.system, trial.state.blocks, {2, 2, 1}, {.position = {0, 0, 1 - 0.5 * squeeze}, .is_fixed = true});
-        trial.dt = 0.5 * stable_step(trial.system, trial.state.blocks);
-        trial.run_until(0.5);
-        // sigma = k p = E e, 2 p + e = squeeze over 1 m^2 and 1 m.
-        const double stress = squeeze / (2 / stiffness + 1 / modulus);
-        const auto b = at(cube);
-        report.judge({name_of(form) + ": axial stress", "Pa", {}, -stress, {}},
-                     rows_at(trial.state.blocks.stress, b)(2, 2), Relative{1e-5});
-        report.judge({name_of(form) + ": axial strain", "-", {}, -stress / modulus, {}},
-                     rows_at(trial.state.blocks.deformation, b)(2, 2) - 1, Relative{1e-5});
-        report.judge({name_of(form) + ": strain across", "-", {}, 0.25 * stress / modulus, {}},
-                     rows_at(trial.state.blocks.deformation, b)(0, 0) - 1, Relative{1e-5});
-        report.judge_below({name_of(form) + ": shear stress over the axial one", "-", {}, 0, {}},
-                           rows_at(trial.state.blocks.stress, b)(0, 2) / stress, 1e-9);
-    }
-}
 
 void rotating_block(const CaseSetting& setting, CaseReport& report) {
     const double modulus = 1e6, density = 2500;

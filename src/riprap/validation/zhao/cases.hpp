@@ -8,7 +8,6 @@
 
 namespace riprap::validation::zhao {
 
-void golden_values(const CaseSetting& setting, CaseReport& report);
 void two_tetrahedra(const CaseSetting& setting, CaseReport& report);
 void incline(const CaseSetting& setting, CaseReport& report);
 void pillar_impact(const CaseSetting& setting, CaseReport& report);
@@ -21,8 +20,6 @@ void slope_5(const CaseSetting& setting, CaseReport& report);
 void mixed_pile(const CaseSetting& setting, CaseReport& report);
 void cubes_in_box(const CaseSetting& setting, CaseReport& report);
 void cubes_of_tetrahedra(const CaseSetting& setting, CaseReport& report);
-void detection(const CaseSetting& setting, CaseReport& report);
-void wedge_static(const CaseSetting& setting, CaseReport& report);
 void wedge_dynamic(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::zhao

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words of [[expect]] that set values against each other and against points of another source.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "riprap/core/error.hpp"
+#include "riprap/run/expects.hpp"
+#include "riprap/scene/read_case.hpp"
+
+namespace riprap {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A stone that falls with 10 m/s^2 and one beside it that is thrown up with 4 m/s, for a second in steps of 1 ms.
+constexpr const char* two_stones = R"(
+gravity = [0.0, 0.0, -10.0]
+end = 1.0
+time_step = 0.001
+[material.rock]
+density = 2000.0
+normal_stiffness = 1.0e7
+[[body]]
+name = "stone"
+shape = { cube = 1.0 }
+material = "rock"
+[[body]]
+name = "thrown"
+shape = { cube = 1.0 }
+position = [5.0, 0.0, 0.0]
+velocity = [0.0, 0.0, 4.0]
+material = "rock"
+)";
+
+std::string expect(const std::string& name, const std::string& more) {
+    return "[[expect]]\nname = \"" + name + "\"\ncitation = \"test\"\n" + more;
+}
+
+/// Runs the case with more lines and returns its answers; with `stop` the watch is saved and read again at that step.
+std::vector<run::ExpectResult> results_of(const std::string& more, int stop = -1) {
+    const auto loaded = scene::read_case_text(two_stones + more, "case.toml", ".");
+    sim::State state = loaded.state;
+    sim::initialise(loaded.model, state);
+    const sim::State initial = state;
+    sim::Scratch scratch;
+    std::optional<run::ExpectWatch> watch(loaded.model);
+    watch->look({loaded.model, initial, state, nullptr, nullptr});
+    for (int i = 0; i < 1000; ++i) {
+        const sim::StepReport report = advance(loaded.model, state, scratch, 0.001);
+        watch->look({loaded.model, initial, state, &scratch, &report});
+        if (i == stop) {
+            const std::vector<double> saved = watch->save();
+            watch.emplace(loaded.model);
+            watch->load(saved);
+        }
+    }
+    return watch->judge(true);
+}
+
+std::string problem_of(const std::string& more) {
+    try {
+        scene::read_case_text(two_stones + more, "case.toml", "/nonexistent");
+    } catch (const CaseError& error) {
+        return to_string(error.problems().front());
+    }
+    return "";
+}
+
+TEST(ExpectWords, RelativeToTakesTheOtherQuantityOffAtEveryMoment) {
+    const auto results = results_of(expect("apart",
+                                           "quantity = 'thrown.position.z'\nrelative_to = 'stone.position.z'\n"
+                                           "reduce = 'at'\nat = 0.5\nvalue = 2.0\ntolerance = 1.0e-9\n") +
+                                    expect("high",
+                                           "quantity = 'thrown.position.z'\nreduce = 'max'\nvalue = 0.8\n"
+                                           "tolerance = 0.003\n"));
+    EXPECT_EQ(results[0].verdict, run::Verdict::passed) << results[0].value;
+    EXPECT_EQ(results[1].verdict, run::Verdict::passed) << results[1].value;
+}
+
+// z = -5 t^2 passes -0.2 m at 0.2 s and -1.8 m at 0.6 s.
+const std::string events =
+    expect("first",
+           "quantity = 'time'\nreduce = 'when'\nwhen = 'stone.position.z'\nreaches = -0.2\nreported = true\n") +
+    expect("place",
+           "quantity = 'stone.position.z'\nreduce = 'when'\nwhen = 'stone.position.z'\nreaches = -0.2\n"
+           "reported = true\n");
+
+TEST(ExpectWords, MinusIsATimeBetweenEventsAndAChangeSinceOne) {
+    const auto results =
+        results_of(events +
+                   expect("between",
+                          "quantity = 'time'\nreduce = 'when'\nwhen = 'stone.position.z'\nreaches = -1.8\n"
+                          "minus = 'first'\nvalue = 0.4\ntolerance = 0.002\n") +
+                   expect("since", "quantity = 'stone.position.z'\nminus = 'place'\nvalue = -4.8\ntolerance = 0.01\n") +
+                   expect("over",
+                          "quantity = 'stone.position.z'\nminus = 'place'\nover = 'place'\nvalue = 24.0\n"
+                          "tolerance = 0.05\n") +
+                   expect("rate", "quantity = 'stone.position.z'\nover = 'first'\nvalue = -25.0\ntolerance = 0.2\n"));
+    EXPECT_EQ(results[0].verdict, run::Verdict::reported);
+    EXPECT_EQ(results[2].verdict, run::Verdict::passed) << results[2].value;
+    EXPECT_EQ(results[3].verdict, run::Verdict::passed) << results[3].value;
+    EXPECT_EQ(results[4].verdict, run::Verdict::passed) << results[4].value;
+    EXPECT_EQ(results[4].unit, "-");
+    EXPECT_EQ(results[5].verdict, run::Verdict::passed) << results[5].value;
+    EXPECT_EQ(results[5].unit, "(m)/(s)");
+}
+
+TEST(ExpectWords, AnAnswerThatNeedsAnEventThatNeverCameFails) {
+    const auto results =
+        results_of(expect("never",
+                          "quantity = 'time'\nreduce = 'when'\nwhen = 'stone.position.z'\nreaches = 1.0\n"
+                          "reported = true\n") +
+                   expect("since", "quantity = 'time'\nminus = 'never'\nlow = -9.0\nhigh = 9.0\n"));
+    EXPECT_EQ(results[1].verdict, run::Verdict::failed);
+}
+
+// At 0.1, 0.5 and 1 s the stone is at -0.05, -1.25 and -5 m; the points lie off by 0.1, 0.1 and -0.2 m.
+const std::string points = "curve = { points = [[0.1, -0.15], [0.5, -1.35], [1.0, -4.8]]";
+
+TEST(ExpectWords, ACurveIsHeldBesideItsPoints) {
+    const std::string quantity = "quantity = 'stone.position.z'\nlow = 0.0\nhigh = 9.0\n";
+    const std::string text = expect("rms", quantity + "reduce = 'rms'\n" + points + " }\n") +
+                             expect("worst", quantity + "reduce = 'worst'\n" + points + " }\n") +
+                             expect("a little", quantity + "reduce = 'worst'\n" + points + ", shift = 0.02 }\n") +
+                             expect("all", quantity + "reduce = 'worst'\n" + points + ", shift = 9.0 }\n");
+    for (const int stop : {-1, 50, 99, 700}) {
+        const auto results = results_of(text, stop);
+        EXPECT_NEAR(results[0].value, std::sqrt((0.01 + 0.01 + 0.04) / 3), 1e-9);
+        EXPECT_NEAR(results[1].value, 0.2, 1e-9);
+        EXPECT_NEAR(results[2].value, 0.18, 1e-9);
+        EXPECT_NEAR(results[3].value, 0.15, 1e-9);
+    }
+}
+
+// The time at places: half a second late throughout, as behind a gate.
+TEST(ExpectWords, ACurveMayLieAlongAnotherQuantityAndBeLateByAConstant) {
+    const std::string late = "curve = { points = [[-0.2, 0.7], [-1.8, 1.1], [-4.05, 1.4]], along = 'stone.position.z'";
+    const std::string quantity = "quantity = 'time'\nreduce = 'rms'\nvalue = 0.0\ntolerance = 0.003\n";
+    const auto results = results_of(expect("late", quantity + late + ", shift = 0.6 }\n") +
+                                    expect("too late", quantity + late + ", shift = 0.1 }\n"));
+    EXPECT_EQ(results[0].verdict, run::Verdict::passed) << results[0].value;
+    EXPECT_NEAR(results[1].value, 0.4, 0.003);
+    EXPECT_EQ(results[1].verdict, run::Verdict::failed);
+}
+
+TEST(ExpectWords, ACurveWithAPointThatIsNeverReachedFails) {
+    const auto results =
+        results_of(expect("high",
+                          "quantity = 'time'\nreduce = 'worst'\nlow = 0.0\nhigh = 9.0\n"
+                          "curve = { points = [[-0.2, 0.2], [0.5, 0.1]], along = 'stone.position.z' }\n"));
+    EXPECT_EQ(results[0].verdict, run::Verdict::failed);
+}
+
+TEST(ExpectWords, WhatDoesNotGoTogetherIsToldWithItsPlace) {
+    const std::string band = "quantity = 'time'\nlow = 0.0\nhigh = 9.0\n";
+    EXPECT_THAT(problem_of(expect("a", band + "reduce = 'rms'\n")), HasSubstr("case.toml:18:1: 'curve' goes with"));
+    EXPECT_THAT(problem_of(expect("a", band + points + " }\n")), HasSubstr("case.toml:24:9: 'curve' goes with"));
+    EXPECT_THAT(problem_of(expect("a", band + "reduce = 'rms'\n" + points + ", along = 'stone.size' }\n")),
+                HasSubstr("there is no quantity 'stone.size'"));
+    EXPECT_THAT(problem_of(expect("a", band + "reduce = 'rms'\ncurve = { file = 'none.csv' }\n")),
+                HasSubstr("case.toml:25:18"));
+    EXPECT_THAT(problem_of(expect("a", band + "relative_to = 'stone.colour'\n")),
+                HasSubstr("there is no quantity 'stone.colour'"));
+    EXPECT_THAT(problem_of(expect("a", band + "minus = 'b'\n") + expect("b", band)),
+                HasSubstr("case.toml:24:9: no [[expect]] before this one is called 'b'"));
+    EXPECT_THAT(problem_of(expect("place", band) + expect("b", band + "over = 'plase'\n")),
+                HasSubstr("did you mean 'place'?"));
+    EXPECT_THAT(problem_of(expect("a", band) + expect("a", band) + expect("b", band + "over = 'a'\n")),
+                HasSubstr("several [[expect]] before this one"));
+    EXPECT_THAT(problem_of(expect("a", band + "reported = true\n")), HasSubstr("reported"));
+    EXPECT_THAT(problem_of(expect("a", "quantity = 'time'\nreported = false\n")), HasSubstr("says nothing"));
+}
+
+}  // namespace
+}  // namespace riprap
