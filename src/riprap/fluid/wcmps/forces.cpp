@@ -104,6 +104,7 @@ void begin_forces(const WcmpsSettings& settings, const ParticleState& state, con
                   WcmpsScratchData& s) {
     s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     find_pressure(settings, state, s.water);
+    damp_sound(settings, s.continuity, s.water);
     find_wall_shares(settings, walls, s.walls);
     const auto count = state.position.size();
     for (std::vector<Vec3>* sums : {&s.forces.force, &s.forces.crowding_gradient, &s.forces.wall_hold}) {
@@ -152,6 +153,16 @@ void load_walls(const WcmpsSettings& settings, const ParticleState& state, Bound
         }
         walls.viscous_force[w] *= scale;
     });
+}
+
+double slip_power(const WcmpsSettings& settings, const WcmpsScratchData& s) {
+    return force_factor(settings) * parallel::reduce(
+                                        static_cast<std::int64_t>(s.walls.openings.slip.size()), 0.0,
+                                        [&](std::int64_t entry) {
+                                            const auto w = static_cast<std::size_t>(entry);
+                                            return s.walls.share[w] * s.walls.averaged[w] * s.walls.openings.slip[w];
+                                        },
+                                        [](double a, double b) { return a + b; });
 }
 
 void add_walls(const WcmpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
