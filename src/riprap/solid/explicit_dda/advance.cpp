@@ -91,6 +91,7 @@ ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state
     ContactForce result;
     result.answer = penalty(springs, motion);
     result.force = result.answer.force;
+    result.velocity = motion.velocity;
     result.was_intact = was_intact;
     const Vec3 along = motion.velocity - dot(motion.velocity, contact.normal) * contact.normal;
     const double slid = motion.plastic_slip + time * norm(along);  // without springs all of the motion is slip
@@ -139,7 +140,7 @@ void add_shares(const BlockContact& contact, const ContactForce& found, Scratch&
 
 /// Adds up loads and bounds of all contact points and remembers those that are closed: once along the list, which is
 /// longer than any cache.
-void sum_and_remember(const BlockSystem& system, const affine::BlockState& state, double dt, Scratch& scratch,
+void sum_and_remember(const BlockSystem& system, const affine::BlockState& state, Scratch& scratch,
                       affine::BlockContactHistory& history, StepReport& report) {
     scratch.loads.assign(state.position.size(), {});
     scratch.squared.assign(state.position.size(), 0);
@@ -154,7 +155,6 @@ void sum_and_remember(const BlockSystem& system, const affine::BlockState& state
         const contact::PenaltyAnswer& answer = found.answer;
         add_loads(state, contact, found, scratch.loads);
         add_shares(contact, found, scratch);
-        report.dashpot_loss += dt * answer.dashpot_power;
         if (has_bonds) {
             bonds.look_at(contact, found.was_intact, !answer.is_open, answer.is_intact,
                           affine::bond_length(system, contact.a, contact.b));
@@ -186,6 +186,22 @@ void sum_and_remember(const BlockSystem& system, const affine::BlockState& state
         ++report.contact_count;
     }
     history.bonded = bonds_left(scratch.old.bonded, bonds);
+}
+
+/// Returns the work that the dashpots took: along the way of the step, half of it with the velocities before the kick and
+/// half with those after it.
+double dashpot_work(const BlockSystem& system, const Scratch& scratch, const affine::BlockState& state, double dt) {
+    double work = 0;
+    for (std::size_t i = 0; i < scratch.contacts().size(); ++i) {
+        const BlockContact& contact = scratch.contacts()[i];
+        const ContactForce& found = scratch.forces[i];
+        if (!found.answer.is_open) {
+            const Side a(system, state, scratch.softness, contact.a, contact.on_a);
+            const Side b(system, state, scratch.softness, contact.b, contact.on_b);
+            work -= 0.5 * dt * dot(found.answer.dashpot, found.velocity + a.velocity - b.velocity);
+        }
+    }
+    return work;
 }
 
 /// Books what springs of lost contacts held, less what those of new ones of the same pair begin with: dissipated.
@@ -256,12 +272,14 @@ KickSums kick_one(const BlockSystem& system, const Settings& settings, double dt
         return dot(p.row[0], q.row[0]) + dot(p.row[1], q.row[1]) + dot(p.row[2], q.row[2]);
     };
     const Mat3 after = rows_at(state.velocity_gradient, b);
-    // As in the kick of rigid bodies: half of the work of loads in the step is booked before the kick.
+    // As in the kick of rigid bodies: the energy that leapfrog keeps, and half of the work of loads in the step is booked
+    // before the kick.
     const Vec3 gained = middle - old_velocity, drag = (settings.mass_damping * system.mass[b]) * state.velocity[b];
     const Mat3 gained_gradient = gradient - old_gradient;
     const double early =
-        0.25 * dt *
-        (dot(force - drag, gained) + contract(given - settings.mass_damping * (after * inertia), gained_gradient));
+        0.5 * dt *
+            (dot(force - drag, gained) + contract(given - settings.mass_damping * (after * inertia), gained_gradient)) -
+        0.5 * (system.mass[b] * norm_squared(gained) + contract(gained_gradient * inertia, gained_gradient));
     const double kinetic =
         0.5 * (system.mass[b] * norm_squared(middle) + contract(gradient * inertia, gradient)) + early;
     result.sums = {system.mass[b], kinetic, -system.mass[b] * dot(system.gravity, state.position[b]),
@@ -311,7 +329,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
         scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.softness, scratch.old, contacts[at(i)],
                                          mobility.empty() ? 1 : mobility[at(i)], time);
     });
-    sum_and_remember(system, state.blocks, dt, scratch, state.contacts, report);
+    sum_and_remember(system, state.blocks, scratch, state.contacts, report);
     laps.end(scratch.times.contact_loads);
     book_lost_contacts(scratch, state.contacts, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);
@@ -327,6 +345,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     report.strain = sums.strain;
     report.damping_loss = sums.damping_loss;
     report.external_work = sums.external_work;
+    report.dashpot_loss = dashpot_work(system, scratch, state.blocks, dt);
     drift_all(system, settings, 0.5 * dt, state.blocks);
     state.last_dt = dt;
     laps.end(scratch.times.move_bodies);
