@@ -138,9 +138,15 @@ void add_shares(const BlockContact& contact, const ContactForce& found, Scratch&
     scratch.damping[at(contact.b)] += found.damping_b;
 }
 
+/// Returns the work that the springs of a contact take in half a step at the velocity before the kick: they push on until
+/// halfway to the kick that no longer finds them.
+double work_of_half(const ContactForce& found, double dt) {
+    return -0.5 * dt * dot(found.force - found.answer.dashpot, found.velocity);
+}
+
 /// Adds up loads and bounds of all contact points and remembers those that are closed: once along the list, which is
 /// longer than any cache.
-void sum_and_remember(const BlockSystem& system, const affine::BlockState& state, Scratch& scratch,
+void sum_and_remember(const BlockSystem& system, const affine::BlockState& state, double dt, Scratch& scratch,
                       affine::BlockContactHistory& history, StepReport& report) {
     scratch.loads.assign(state.position.size(), {});
     scratch.squared.assign(state.position.size(), 0);
@@ -175,7 +181,7 @@ void sum_and_remember(const BlockSystem& system, const affine::BlockState& state
                                                                              : affine::ContactMode::lock));
         history.is_intact.push_back(answer.is_intact ? 1 : 0);
         history.plastic_slip.push_back(answer.is_intact ? answer.plastic_slip : 0);
-        history.energy.push_back(answer.energy);
+        history.energy.push_back(answer.energy + work_of_half(found, dt));
         if (answer.is_open) {
             continue;
         }
@@ -205,7 +211,8 @@ double dashpot_work(const BlockSystem& system, const Scratch& scratch, const aff
 }
 
 /// Books what springs of lost contacts held, less what those of new ones of the same pair begin with: dissipated.
-void book_lost_contacts(const Scratch& scratch, const affine::BlockContactHistory& history, StepReport& report) {
+void book_lost_contacts(const Scratch& scratch, const affine::BlockContactHistory& history, double dt,
+                        StepReport& report) {
     std::vector<std::uint64_t> pairs_that_lost;  // in order, as the history is
     for (std::size_t row = 0; row < scratch.old.size(); ++row) {
         if (scratch.is_carried[row] == 0 && !has_come_apart(scratch.old, row, history)) {
@@ -220,7 +227,7 @@ void book_lost_contacts(const Scratch& scratch, const affine::BlockContactHistor
         if (!answer.is_open && contact.old < 0 &&
             std::binary_search(pairs_that_lost.begin(), pairs_that_lost.end(),
                                contact::pair_key({contact.a, contact.b}))) {
-            report.lost_energy -= answer.energy;
+            report.lost_energy -= answer.energy - work_of_half(scratch.forces[i], dt);
         }
     }
 }
@@ -329,9 +336,9 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
         scratch.forces[at(i)] = evaluate(system, state.blocks, scratch.softness, scratch.old, contacts[at(i)],
                                          mobility.empty() ? 1 : mobility[at(i)], time);
     });
-    sum_and_remember(system, state.blocks, scratch, state.contacts, report);
+    sum_and_remember(system, state.blocks, dt, scratch, state.contacts, report);
     laps.end(scratch.times.contact_loads);
-    book_lost_contacts(scratch, state.contacts, report);
+    book_lost_contacts(scratch, state.contacts, dt, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);
     laps.end(scratch.times.measure);
     const KickSums sums = parallel::reduce(
