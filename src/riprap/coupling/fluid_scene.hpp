@@ -26,8 +26,8 @@ struct CouplingState {
     std::vector<Vec3> angular_acceleration;      ///< [rad/s^2]
     std::vector<Vec3> dry_acceleration;          ///< the part of it that is not due to the fluid [m/s^2]
     std::vector<Vec3> dry_angular_acceleration;  ///< [rad/s^2]
-    /// Of bodies that deform: mean change of the stretch rate D over the last step, world axes; else empty [1/s^2].
-    std::vector<Sym3> stretch_acceleration;
+    /// Way and turn of the last step that the fluid did not see, for walls of particles; else empty [m], [rad].
+    std::vector<Vec3> missed_way, missed_turn;
     std::vector<double> surge;               ///< of paddles that absorb a sea, along their waves; else empty [m/s^2]
     std::vector<std::int32_t> near_samples;  ///< that water or joints may feel, see coupling::near_samples
     double near_travel{-1};  ///< farthest that water or faces can have come since they were found; negative: never [m]
@@ -39,8 +39,9 @@ struct CouplingState {
         visit("coupling.angular_acceleration", self.angular_acceleration);
         visit("coupling.dry_acceleration", self.dry_acceleration);
         visit("coupling.dry_angular_acceleration", self.dry_angular_acceleration);
-        if (!self.stretch_acceleration.empty()) {
-            visit("coupling.stretch_acceleration", self.stretch_acceleration);
+        if (!self.missed_way.empty()) {
+            visit("coupling.missed_way", self.missed_way);
+            visit("coupling.missed_turn", self.missed_turn);
         }
         if (!self.surge.empty()) {
             visit("coupling.surge", self.surge);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -135,6 +136,12 @@ Scale scale_of(const sim::Ledger& ledger, const sim::Model& model, const sim::St
 }
 
 }  // namespace
+
+double missed_share(const sim::Ledger& ledger, std::int64_t steps) {
+    constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
+    const double round_off = static_cast<double>(steps) * rounding * energy_there(ledger);
+    return std::abs(ledger.residual) <= round_off ? 0 : ledger.residual / ledger.turnover;
+}
 
 std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, const sim::State& state,
                            std::int64_t step) {

@@ -14,6 +14,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/timer.hpp"
+#include "riprap/run/ledger_verdict.hpp"
 #include "riprap/run/method_scales.hpp"
 #include "riprap/run/missing_physics.hpp"
 #include "riprap/run/simulation.hpp"
@@ -102,7 +103,7 @@ void run_to_end(Simulation& simulation, const MatrixOptions& options, MatrixEntr
     const std::int64_t steps = simulation.state().step - first;
     entry.ns = steps > 0 ? 1e9 * timer.seconds() / static_cast<double>(steps) : 0;
     const sim::Ledger& ledger = simulation.report().ledger;
-    entry.residual = ledger.turnover > 0 ? ledger.residual / ledger.turnover : 0;
+    entry.residual = missed_share(ledger, steps);
     if (!entry.why.empty()) {
         entry.finding = Finding::wrong;
         return;

@@ -88,8 +88,8 @@ Outcome advance_piece(Solid& solids, State& state, const TimeSpan& span, const b
 constexpr int most_newton_passes = 8;
 
 /// Finds the loads of the fluid with which bodies accelerate as they were taken to, from the guess of the last step on.
-void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, const TimeSpan& span, double since,
-                         ScratchData& data, StepReport& report) {
+void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, const TimeSpan& span, ScratchData& data,
+                         StepReport& report) {
     Prediction& prediction = data.prediction;
     const auto count = at(model.bodies.size());
     const std::span<const double> feedback = fluid.feedback();
@@ -105,7 +105,7 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
     }
     std::vector<body::Acceleration> found(count), tried;
     for (bool is_settled = false; !is_settled;) {
-        predict_middle(model, state, span, since, prediction);
+        predict_middle(model, span, prediction);
         fluid.load(span, prediction.middle, data.fluid_loads);
         add_up(model.bodies, data.fluid_loads, data.span_loads);
         for (std::size_t b = 0; b < count; ++b) {
@@ -139,9 +139,10 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& spa
     if (!outcome.ok()) {
         return outcome;
     }
-    settle_light_bodies(model, state, fluid, span, since, data, report);
+    settle_light_bodies(model, state, fluid, span, data, report);
     outcome = fluid.kick(span, brought.step);
     brought.work_on_free = work_on_free(prediction, data.span_loads, span.dt);
+    note_way(span.dt, prediction);
     note_gain(model, state, data.span_loads, span.dt, prediction);
     report.through_walls.add(brought.step.through_walls);
     if (report.intruder.empty()) {
@@ -162,6 +163,7 @@ Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& c
     data.prediction.guess = last_accelerations(state.coupling);
     data.prediction.gained.assign(at(model.bodies.size()), {});
     data.prediction.moved.assign(at(model.bodies.size()), {});
+    begin_ways(state.coupling, at(model.bodies.size()), cycle.dt, data.prediction);
     for (std::int64_t k = 0; k < cycle.spans; ++k) {
         Outcome outcome = flow(model, state, fluid, cycle.span(k), data, spans.emplace_back(), report);
         if (!outcome.ok()) {
@@ -182,21 +184,25 @@ Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& c
 Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, ScratchData& data,
                  std::vector<FluidSpan>& spans, StepReport& report) {
     const ScopedTimer timer(data.times.water);
-    const double work_given = work_done(data.before, state.bodies, data.prediction.kinematics, data.loads);
+    const WorkDone work = work_done(data.before, state.bodies, data.prediction.kinematics, data.loads);
+    note_missed_way(data.before, data.prediction, state);
     note_accelerations(model, data.before, data.prediction.kinematics, data.loads, cycle.dt, state);
     if (cycle.pieces > 1) {
         forget_impacts(model, data.prediction.kinematics, contact_loads(data), cycle.dt, state);
     }
+    const Accounts accounts = accounts_of(model);
     const Outcome outcome = fluid.end(cycle.span(cycle.spans - 1), spans.back().step);
     if (!fluid.leads()) {
         // Such a fluid does not move by itself: its work is what the bodies say, whatever was predicted of them.
         for (FluidSpan& span : spans) {
-            span.work_on_free = work_given / static_cast<double>(spans.size());
+            span.work_on_free = work.all() / static_cast<double>(spans.size());
         }
-    } else if (const std::ptrdiff_t rest = rest_account(accounts_of(model)); rest >= 0 && !fluid.feedback().empty()) {
-        book_true_way(work_given, static_cast<std::size_t>(rest), spans);
+    } else if (const std::ptrdiff_t rest = rest_account(accounts); rest >= 0 && !fluid.feedback().empty()) {
+        book_true_way(work.all(), static_cast<std::size_t>(rest), spans);
+    } else if (const std::ptrdiff_t straining = fluid_account(accounts, straining_name); straining >= 0) {
+        book_straining(work.strain, static_cast<std::size_t>(straining), spans);
     }
-    book_fluid(spans, work_given, accounts_of(model), state.ledger, report.ledger);
+    book_fluid(spans, work.all(), accounts, state.ledger, report.ledger);
     return outcome;
 }
 
@@ -287,9 +293,6 @@ void initialise(const Model& model, State& state) {
     reset(model, state.coupling);
     ScratchData unused;
     bind_methods(model, state, unused).fluid->start();  // makes the fields of the methods
-    if (model.has_fluid() && state.bodies.deforms()) {
-        state.coupling.stretch_acceleration.assign(at(model.bodies.size()), {});
-    }
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[at(i)] != body::Drive::driven) {
             continue;
@@ -330,7 +333,8 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
     const Prediction& prediction = data.prediction;
     return bytes + data.fluid_loads.bytes() + data.span_loads.bytes() + data.loads.bytes() + prediction.now.bytes() +
            prediction.middle.bytes() +
-           bytes_of(prediction.guess, prediction.gained, prediction.moved, prediction.correction) +
+           bytes_of(prediction.guess, prediction.gained, prediction.moved, prediction.catch_up, prediction.way,
+                    prediction.correction) +
            bytes_of(prediction.kinematics.angular_velocity, prediction.kinematics.inverse_inertia,
                     prediction.kinematics.inverse_mass);
 }

@@ -10,18 +10,10 @@ namespace riprap::sim {
 
 namespace {
 
-/// Lets blocks go on to strain ever faster or slower as they did in the last step.
-void add_stretching(const coupling::CouplingState& coupling, double ahead, body::Motion& motion) {
-    for (std::size_t b = 0; b < coupling.stretch_acceleration.size() && motion.deforms(); ++b) {
-        motion.stretch_rate[b] += ahead * coupling.stretch_acceleration[b];
-    }
-}
-
-/// Adds the velocity of the earlier spans.
-void add_gained(const Prediction& prediction, body::Motion& motion) {
-    for (std::size_t b = 0; b < prediction.gained.size(); ++b) {
-        motion.velocity[b] += prediction.gained[b].linear;
-        motion.angular_velocity[b] += prediction.gained[b].angular;
+void add(std::span<const body::Acceleration> velocity, body::Motion& motion) {
+    for (std::size_t b = 0; b < velocity.size(); ++b) {
+        motion.velocity[b] += velocity[b].linear;
+        motion.angular_velocity[b] += velocity[b].angular;
     }
 }
 
@@ -39,22 +31,21 @@ void predict(const Model& model, const State& state, const TimeSpan& span, doubl
     update_kinematics(bodies, prediction.bodies, span.time, prediction.kinematics);
     fill_motion(bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction, span.time, 0,
                 span.dt, prediction.now);
-    add_gained(prediction, prediction.now);
-    add_stretching(state.coupling, since, prediction.now);
+    add(prediction.gained, prediction.now);
+    add(prediction.catch_up, prediction.now);
     solid::drift(bodies, prediction.bodies, span.middle(), 0.5 * span.dt);
     for (std::size_t b = 0; b < prediction.gained.size(); ++b) {
         prediction.bodies.position[b] += 0.5 * span.dt * prediction.gained[b].linear;
     }
     update_kinematics(bodies, prediction.bodies, span.middle(), prediction.kinematics);
-    predict_middle(model, state, span, since, prediction);
+    predict_middle(model, span, prediction);
 }
 
-void predict_middle(const Model& model, const State& state, const TimeSpan& span, double since,
-                    Prediction& prediction) {
+void predict_middle(const Model& model, const TimeSpan& span, Prediction& prediction) {
     fill_motion(model.bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction,
                 span.middle(), 0.5 * span.dt, span.dt, prediction.middle);
-    add_gained(prediction, prediction.middle);
-    add_stretching(state.coupling, since + 0.5 * span.dt, prediction.middle);
+    add(prediction.gained, prediction.middle);
+    add(prediction.catch_up, prediction.middle);
 }
 
 void note_gain(const Model& model, const State& state, const body::Loads& loads, double dt, Prediction& prediction) {
@@ -66,6 +57,43 @@ void note_gain(const Model& model, const State& state, const body::Loads& loads,
             prediction.gained[b].linear += dt * a.linear;
             prediction.gained[b].angular += dt * locks.free_rotation(a.angular);
         }
+    }
+}
+
+void begin_ways(const coupling::CouplingState& coupling, std::size_t bodies, double dt, Prediction& prediction) {
+    prediction.way.assign(bodies, {});
+    prediction.catch_up.resize(coupling.missed_way.size());
+    for (std::size_t b = 0; b < prediction.catch_up.size(); ++b) {
+        prediction.catch_up[b] = {coupling.missed_way[b] / dt, coupling.missed_turn[b] / dt};
+    }
+}
+
+void note_way(double dt, Prediction& prediction) {
+    const body::Motion& seen = prediction.middle;
+    for (std::size_t b = 0; b < prediction.way.size(); ++b) {
+        const body::Acceleration caught = prediction.catch_up.empty() ? body::Acceleration{} : prediction.catch_up[b];
+        prediction.way[b].linear += dt * (seen.velocity[b] - caught.linear);
+        prediction.way[b].angular += dt * (seen.angular_velocity[b] - caught.angular);
+    }
+}
+
+namespace {
+
+/// Returns the rotation of a body between two states [rad].
+Vec3 turn_between(const body::BodyState& before, const body::BodyState& after, std::size_t b) {
+    return to_rotation_vector(after.orientation[b] * conjugate(before.orientation[b]));
+}
+
+}  // namespace
+
+void note_missed_way(const body::BodyState& before, const Prediction& prediction, State& state) {
+    coupling::CouplingState& coupling = state.coupling;
+    const body::BodyState& after = state.bodies;
+    for (std::size_t b = 0; b < coupling.missed_way.size(); ++b) {
+        const bool is_free = prediction.kinematics.inverse_mass[b] > 0;
+        const body::Acceleration& seen = prediction.way[b];
+        coupling.missed_way[b] = is_free ? after.position[b] - before.position[b] - seen.linear : Vec3{};
+        coupling.missed_turn[b] = is_free ? turn_between(before, after, b) - seen.angular : Vec3{};
     }
 }
 
@@ -124,9 +152,6 @@ double work_on_free(const Prediction& prediction, const body::Loads& loads, doub
     for (std::size_t b = 0; b < loads.size(); ++b) {
         if (prediction.kinematics.inverse_mass[b] > 0) {
             work += dt * (dot(loads.force[b], motion.velocity[b]) + dot(loads.torque[b], motion.angular_velocity[b]));
-            if (motion.deforms()) {
-                work += dt * contract(loads.pull[b], motion.stretch_rate[b]);
-            }
         }
     }
     return work;
@@ -152,15 +177,15 @@ Sym3 strain_between(const body::BodyState& before, const body::BodyState& after,
 
 }  // namespace
 
-double work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
-                 const body::Loads& loads) {
-    double work = 0;
+WorkDone work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
+                   const body::Loads& loads) {
+    WorkDone work;
     for (std::size_t b = 0; b < loads.size(); ++b) {
         if (kinematics.inverse_mass[b] > 0) {
-            const Vec3 turn = to_rotation_vector(after.orientation[b] * conjugate(before.orientation[b]));
-            work += dot(loads.force[b], after.position[b] - before.position[b]) + dot(loads.torque[b], turn);
+            work.motion += dot(loads.force[b], after.position[b] - before.position[b]) +
+                           dot(loads.torque[b], turn_between(before, after, b));
             if (!loads.pull.empty() && before.deforms() && after.deforms()) {
-                work += contract(loads.pull[b], strain_between(before, after, b));
+                work.strain += contract(loads.pull[b], strain_between(before, after, b));
             }
         }
     }
@@ -176,9 +201,6 @@ void note_accelerations(const Model& model, const body::BodyState& before, const
             coupling.acceleration[b] = coupling.angular_acceleration[b] = {};
             coupling.dry_acceleration[b] = model.gravity.at(state.time + dt);  // should it be released next
             coupling.dry_angular_acceleration[b] = {};
-            if (!coupling.stretch_acceleration.empty()) {
-                coupling.stretch_acceleration[b] = {};
-            }
             continue;
         }
         coupling.acceleration[b] = (state.bodies.velocity[b] - before.velocity[b]) / dt;
@@ -188,11 +210,6 @@ void note_accelerations(const Model& model, const body::BodyState& before, const
         coupling.dry_acceleration[b] = coupling.acceleration[b] - kinematics.inverse_mass[b] * loads.force[b];
         coupling.dry_angular_acceleration[b] =
             coupling.angular_acceleration[b] - kinematics.inverse_inertia[b] * loads.torque[b];
-        if (!coupling.stretch_acceleration.empty()) {
-            Sym3 change = state.bodies.stretch_rate[b];
-            change += -1.0 * before.stretch_rate[b];
-            coupling.stretch_acceleration[b] = (1 / dt) * change;
-        }
     }
 }
 
@@ -233,6 +250,15 @@ void book_true_way(double work_given, std::size_t rest, std::span<FluidSpan> spa
     }
 }
 
+void book_straining(double work, std::size_t straining, std::span<FluidSpan> spans) {
+    const double share = work / static_cast<double>(spans.size());
+    for (FluidSpan& span : spans) {
+        span.work_on_free += share;
+        span.step.fluid.work_on_solids += share;
+        span.step.own[straining] -= share;
+    }
+}
+
 void book_fluid(std::span<const FluidSpan> spans, double work_given, const Accounts& accounts, LedgerState& state,
                 Ledger& ledger) {
     double work_seen = 0;
@@ -255,7 +281,9 @@ void reset(const Model& model, coupling::CouplingState& coupling) {
     coupling.angular_acceleration.assign(count, {});
     coupling.dry_acceleration.assign(count, model.gravity.at(0));
     coupling.dry_angular_acceleration.assign(count, {});
-    coupling.stretch_acceleration.clear();
+    const std::size_t walls = model.particles() != nullptr ? count : 0;
+    coupling.missed_way.assign(walls, {});
+    coupling.missed_turn.assign(walls, {});
 }
 
 }  // namespace riprap::sim

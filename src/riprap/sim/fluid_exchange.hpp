@@ -23,11 +23,24 @@ struct FluidSpan {
 /// State, from its velocities, what they gained over earlier spans and the guessed accelerations.
 void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction);
 /// Fills the motion in the middle of the span anew, from the present guess.
-void predict_middle(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction);
+void predict_middle(const Model& model, const TimeSpan& span, Prediction& prediction);
 
 /// Adds the velocity that free bodies gain over a span under the loads of the fluid. The work that spans of the fluid
 /// count, each with its own loads and velocities, is then that of their mean loads over the step of the solids.
 void note_gain(const Model& model, const State& state, const body::Loads& loads, double dt, Prediction& prediction);
+
+/// Begins the ways of a step of length dt: the fluid has seen none yet, and has the last step to catch up with.
+void begin_ways(const coupling::CouplingState& coupling, std::size_t bodies, double dt, Prediction& prediction);
+/// Adds the way of a span of length dt as the fluid saw it.
+void note_way(double dt, Prediction& prediction);
+/// Notes what the fluid did not see of the step that took free bodies from `before` to the State: an impact within the
+/// step, a contact that became stiffer. Walls of particles make up for it over the next step, so that the work of the
+/// water and that on the bodies differ by
+///
+///     F_N d_N - sum_n (F_n - F_(n-1)) d_(n-1),
+///
+/// F_n the load of step n and d_n the way that it missed: nothing adds up under an even load.
+void note_missed_way(const body::BodyState& before, const Prediction& prediction, State& state);
 
 /// Returns the accelerations over the last step: the first guess of this one.
 std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling);
@@ -46,13 +59,19 @@ void add_up(const body::BodySet& bodies, const coupling::FluidLoads& loads, body
 /// Adds the loads of one of `spans` equal spans to their mean over the step: momentum is kept.
 void add_share(const body::Loads& span, std::int64_t spans, body::Loads& step);
 
-/// Returns the work of the loads on free bodies that move as predicted [J].
+/// Returns the work of the loads on free bodies that move as predicted: of all fluids that move by themselves walls go on
+/// without the rate of stretch [J].
 double work_on_free(const Prediction& prediction, const body::Loads& loads, double dt);
 
-/// Returns the work that loads held over a step did on free bodies that went from `before` to `after`, their strain
-/// included [J].
-double work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
-                 const body::Loads& loads);
+/// Work of loads that are held over a step on free bodies [J].
+struct WorkDone {
+    double motion{0};  ///< along the way and the turn of bodies
+    double strain{0};  ///< of the pull on the change of their stretch
+    double all() const { return motion + strain; }
+};
+/// Returns the work that loads did on free bodies that went from `before` to `after`.
+WorkDone work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
+                   const body::Loads& loads);
 
 /// Notes the mean accelerations over the step that took bodies from `before` to the State: the first guess of the next.
 void note_accelerations(const Model& model, const body::BodyState& before, const body::BodyKinematics& kinematics,
@@ -69,6 +88,11 @@ void forget_impacts(const Model& model, const body::BodyKinematics& kinematics, 
 /// follows their true way.
 /// @param rest  number of that account
 void book_true_way(double work_given, std::size_t rest, std::span<FluidSpan> spans);
+
+/// Books the work on the strain of blocks for a fluid whose walls do not move as they stretch: it comes from nothing
+/// that the fluid has, which the account straining_name shows.
+/// @param straining  number of that account
+void book_straining(double work, std::size_t straining, std::span<FluidSpan> spans);
 
 /// Books the spans of the fluid.
 /// @param work_given  on free bodies over the step, as the bodies say [J]

@@ -139,9 +139,8 @@ double widest_range(std::vector<double>& totals, const std::array<double, count>
 
 }  // namespace
 
-std::ptrdiff_t rest_account(const Accounts& accounts) {
-    const auto is_rest = [](const Account& account) { return account.name == rest_name; };
-    const auto found = std::find_if(accounts.fluid.begin(), accounts.fluid.end(), is_rest);
+std::ptrdiff_t fluid_account(const Accounts& accounts, std::string_view name) {
+    const auto found = std::ranges::find(accounts.fluid, name, &Account::name);
     return found == accounts.fluid.end() ? -1 : found - accounts.fluid.begin();
 }
 

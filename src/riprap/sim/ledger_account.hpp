@@ -21,8 +21,12 @@ struct Accounts {
 /// Name that a fluid gives to the account of what its balance lacks: a loss, so below zero energy came from nowhere.
 /// Its value at a kick follows from all others, and the residual of the fluid is zero by construction.
 inline constexpr std::string_view rest_name = "dissipated";
-/// Returns the number of that account among those of the fluid; -1 without one.
-std::ptrdiff_t rest_account(const Accounts& accounts);
+/// Name that a fluid gives to the account of work on the strain of blocks that its walls do not follow: a loss below
+/// zero, for what the blocks get comes from nothing that the fluid has.
+inline constexpr std::string_view straining_name = "straining";
+/// Returns the number of an account among those of the fluid; -1 without it.
+std::ptrdiff_t fluid_account(const Accounts& accounts, std::string_view name);
+inline std::ptrdiff_t rest_account(const Accounts& accounts) { return fluid_account(accounts, rest_name); }
 
 /// Adds one step to the running totals and returns the ledger at the kick. Rates known at the kick count half before
 /// and half after it (trapezoid between kicks); losses measured since the last kick count whole.

@@ -196,10 +196,11 @@ template <class T>
     FreeTerms<T> terms;
     terms.mass = mass;
     terms.mass_moment = mass * body.position;
-    // Half of the work of a load in the step is booked before the kick, where it has done F . gained dt/4 less, and
-    // less for the same reason after the last kick: the energy that it brought until now is more than that of the
-    // velocity. Beside what has only begun to move this counts.
-    const Vec3T<T> load = body.external_force + damping_force, couple = body.external_torque + damping_torque;
+    // Energy that leapfrog keeps, m v_old . v_new/2: springs and gravity work along the way between two kicks by the
+    // mean of the forces at both, exactly so where they are linear. Half of the work of a load in the step is booked
+    // before the kick, where it has done F . gained dt/2 less.
+    const Vec3T<T> load = T(2.0) * (body.external_force + damping_force) - force;
+    const Vec3T<T> couple = T(2.0) * (body.external_torque + damping_torque) - torque;
     const T early = T(0.25 * step) * (dot(load, gained) + dot(couple, gained_spin));
     terms.kinetic = T(0.5) * (mass * norm_squared(mid_velocity) + dot(mid_momentum, mid_spin)) + early;
     terms.potential = -mass * dot(gravity, body.position);

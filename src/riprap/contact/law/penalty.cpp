@@ -17,11 +17,12 @@ PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion
     // A dashpot may take the push away but must not pull.
     const double total = elastic + springs.normal_damping * closing;
     answer.normal_force = motion.gap > 0 ? elastic : std::max(total, 0.0);
-    answer.dashpot_power = motion.gap > 0 ? 0 : (answer.normal_force - elastic) * closing;
+    answer.dashpot = motion.gap > 0 ? Vec3{} : (elastic - answer.normal_force) * motion.normal;
     answer.energy = 0.5 * springs.normal_stiffness * motion.gap * motion.gap;
 
     const Vec3 sliding = motion.velocity - closing * motion.normal;
-    const Vec3 trial = motion.slip - dot(motion.slip, motion.normal) * motion.normal + motion.time * sliding;
+    const Vec3 old_slip = motion.slip - dot(motion.slip, motion.normal) * motion.normal;
+    const Vec3 trial = old_slip + motion.time * sliding;
     const double cohesion = motion.is_intact ? springs.cohesion : 0;
     const double limit = std::max(0.0, answer.normal_force * springs.friction + cohesion);
     const double size = springs.shear_stiffness * norm(trial);
@@ -42,16 +43,16 @@ PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion
         const double friction = breaks ? answer.normal_force * springs.friction : limit;
         answer.slip = (friction / size) * trial;
         shear = -springs.shear_stiffness * answer.slip;
-        answer.friction_loss = breaks
-                                   ? 0.5 * springs.shear_stiffness * (norm_squared(trial) - norm_squared(answer.slip))
-                                   : friction * (norm(trial) - norm(answer.slip));
+        const double half = 0.5 * springs.shear_stiffness;
+        answer.friction_loss = breaks ? half * (norm_squared(trial) - norm_squared(answer.slip))
+                                      : half * dot(old_slip + answer.slip, trial - answer.slip);
     } else {
         answer.slip = trial;
         const Vec3 elastic_shear = -springs.shear_stiffness * trial;
         shear = elastic_shear - springs.shear_damping * sliding;
         const double damped = norm(shear);
         shear = damped > limit && damped > 0 ? (limit / damped) * shear : shear;
-        answer.dashpot_power += dot(elastic_shear - shear, sliding);
+        answer.dashpot += shear - elastic_shear;
     }
     answer.energy += 0.5 * springs.shear_stiffness * norm_squared(answer.slip);
     answer.force = shear - answer.normal_force * motion.normal;

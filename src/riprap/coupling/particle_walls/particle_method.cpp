@@ -143,6 +143,9 @@ std::span<const Account> ParticleMethod::accounts() {
                 "potential energy and that of compression that shifting took away", true},
         Account{"wall_exchange", Balance::lost, Booking::across_kick,
                 "work of the mirrored wall pressure that no body feels (docs/theory/sph.md, 6)", true},
+        Account{"straining", Balance::lost, Booking::across_kick,
+                "below zero: work on the strain of blocks, whose rate walls do not have (docs/theory/coupling.md, 2)",
+                true},
         Account{"absorbed", Balance::given, Booking::across_kick, "by sponges"},
         Account{"flow_work", Balance::given, Booking::across_kick, "of pressure at inflows and outflows"},
     };
@@ -174,6 +177,7 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
                   of.pressure_loss,
                   of.shifted,
                   of.wall_exchange,
+                  0,  // straining: known once the blocks have moved
                   absorbed,
                   flow_work};
     report.through_walls = scratch.penalty.passages();

@@ -91,6 +91,7 @@ ContactForce evaluate(const BlockSystem& system, const affine::BlockState& state
     ContactForce result;
     result.answer = penalty(springs, motion);
     result.force = result.answer.force;
+    result.velocity = motion.velocity;
     result.was_intact = was_intact;
     const Vec3 along = motion.velocity - dot(motion.velocity, contact.normal) * contact.normal;
     const double slid = motion.plastic_slip + time * norm(along);  // without springs all of the motion is slip
@@ -137,6 +138,12 @@ void add_shares(const BlockContact& contact, const ContactForce& found, Scratch&
     scratch.damping[at(contact.b)] += found.damping_b;
 }
 
+/// Returns the work that the springs of a contact take in half a step at the velocity before the kick: they push on until
+/// halfway to the kick that no longer finds them.
+double work_of_half(const ContactForce& found, double dt) {
+    return -0.5 * dt * dot(found.force - found.answer.dashpot, found.velocity);
+}
+
 /// Adds up loads and bounds of all contact points and remembers those that are closed: once along the list, which is
 /// longer than any cache.
 void sum_and_remember(const BlockSystem& system, const affine::BlockState& state, double dt, Scratch& scratch,
@@ -154,7 +161,6 @@ void sum_and_remember(const BlockSystem& system, const affine::BlockState& state
         const contact::PenaltyAnswer& answer = found.answer;
         add_loads(state, contact, found, scratch.loads);
         add_shares(contact, found, scratch);
-        report.dashpot_loss += dt * answer.dashpot_power;
         if (has_bonds) {
             bonds.look_at(contact, found.was_intact, !answer.is_open, answer.is_intact,
                           affine::bond_length(system, contact.a, contact.b));
@@ -175,7 +181,7 @@ void sum_and_remember(const BlockSystem& system, const affine::BlockState& state
                                                                              : affine::ContactMode::lock));
         history.is_intact.push_back(answer.is_intact ? 1 : 0);
         history.plastic_slip.push_back(answer.is_intact ? answer.plastic_slip : 0);
-        history.energy.push_back(answer.energy);
+        history.energy.push_back(answer.energy + work_of_half(found, dt));
         if (answer.is_open) {
             continue;
         }
@@ -188,8 +194,25 @@ void sum_and_remember(const BlockSystem& system, const affine::BlockState& state
     history.bonded = bonds_left(scratch.old.bonded, bonds);
 }
 
+/// Returns the work that the dashpots took: along the way of the step, half of it with the velocities before the kick and
+/// half with those after it.
+double dashpot_work(const BlockSystem& system, const Scratch& scratch, const affine::BlockState& state, double dt) {
+    double work = 0;
+    for (std::size_t i = 0; i < scratch.contacts().size(); ++i) {
+        const BlockContact& contact = scratch.contacts()[i];
+        const ContactForce& found = scratch.forces[i];
+        if (!found.answer.is_open) {
+            const Side a(system, state, scratch.softness, contact.a, contact.on_a);
+            const Side b(system, state, scratch.softness, contact.b, contact.on_b);
+            work -= 0.5 * dt * dot(found.answer.dashpot, found.velocity + a.velocity - b.velocity);
+        }
+    }
+    return work;
+}
+
 /// Books what springs of lost contacts held, less what those of new ones of the same pair begin with: dissipated.
-void book_lost_contacts(const Scratch& scratch, const affine::BlockContactHistory& history, StepReport& report) {
+void book_lost_contacts(const Scratch& scratch, const affine::BlockContactHistory& history, double dt,
+                        StepReport& report) {
     std::vector<std::uint64_t> pairs_that_lost;  // in order, as the history is
     for (std::size_t row = 0; row < scratch.old.size(); ++row) {
         if (scratch.is_carried[row] == 0 && !has_come_apart(scratch.old, row, history)) {
@@ -204,7 +227,7 @@ void book_lost_contacts(const Scratch& scratch, const affine::BlockContactHistor
         if (!answer.is_open && contact.old < 0 &&
             std::binary_search(pairs_that_lost.begin(), pairs_that_lost.end(),
                                contact::pair_key({contact.a, contact.b}))) {
-            report.lost_energy -= answer.energy;
+            report.lost_energy -= answer.energy - work_of_half(scratch.forces[i], dt);
         }
     }
 }
@@ -256,12 +279,14 @@ KickSums kick_one(const BlockSystem& system, const Settings& settings, double dt
         return dot(p.row[0], q.row[0]) + dot(p.row[1], q.row[1]) + dot(p.row[2], q.row[2]);
     };
     const Mat3 after = rows_at(state.velocity_gradient, b);
-    // As in the kick of rigid bodies: half of the work of loads in the step is booked before the kick.
+    // As in the kick of rigid bodies: the energy that leapfrog keeps, and half of the work of loads in the step is booked
+    // before the kick.
     const Vec3 gained = middle - old_velocity, drag = (settings.mass_damping * system.mass[b]) * state.velocity[b];
     const Mat3 gained_gradient = gradient - old_gradient;
     const double early =
-        0.25 * dt *
-        (dot(force - drag, gained) + contract(given - settings.mass_damping * (after * inertia), gained_gradient));
+        0.5 * dt *
+            (dot(force - drag, gained) + contract(given - settings.mass_damping * (after * inertia), gained_gradient)) -
+        0.5 * (system.mass[b] * norm_squared(gained) + contract(gained_gradient * inertia, gained_gradient));
     const double kinetic =
         0.5 * (system.mass[b] * norm_squared(middle) + contract(gradient * inertia, gradient)) + early;
     result.sums = {system.mass[b], kinetic, -system.mass[b] * dot(system.gravity, state.position[b]),
@@ -313,7 +338,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     });
     sum_and_remember(system, state.blocks, dt, scratch, state.contacts, report);
     laps.end(scratch.times.contact_loads);
-    book_lost_contacts(scratch, state.contacts, report);
+    book_lost_contacts(scratch, state.contacts, dt, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);
     laps.end(scratch.times.measure);
     const KickSums sums = parallel::reduce(
@@ -327,6 +352,7 @@ affine::Outcome advance(const BlockSystem& system, const Settings& settings, dou
     report.strain = sums.strain;
     report.damping_loss = sums.damping_loss;
     report.external_work = sums.external_work;
+    report.dashpot_loss = dashpot_work(system, scratch, state.blocks, dt);
     drift_all(system, settings, 0.5 * dt, state.blocks);
     state.last_dt = dt;
     laps.end(scratch.times.move_bodies);

@@ -17,7 +17,8 @@ namespace riprap::solid::explicit_dda {
 
 /// Answer of one contact point, for loads, history and output.
 struct ContactForce {
-    Vec3 force{};  ///< on a [N]
+    Vec3 force{};     ///< on a [N]
+    Vec3 velocity{};  ///< of a against b before the kick [m/s]
     contact::PenaltyAnswer answer;
     bool was_intact{false};             ///< before
     bool is_apart{false};               ///< open, with a bond that is still intact
