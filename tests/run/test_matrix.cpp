@@ -41,6 +41,15 @@ TEST(Matrix, shows_the_quantity_at_the_end_where_its_answer_is_not_due_yet) {
     EXPECT_NEAR(first.value, way, 0.05 * way);
 }
 
+TEST(Matrix, finds_nothing_right_in_answers_that_are_only_told) {
+    const MatrixResult result =
+        matrix_of("cases/sliding_block/case.toml", {"end=0.1",
+                                                    "expect=[{ name = \"it\", quantity = \"time\", reduce = \"max\", "
+                                                    "to = 0.1, reported = true, citation = \"none\" }]"});
+    EXPECT_EQ(result.entries.front().finding, Finding::unjudged);
+    EXPECT_EQ(result.entries.front().why, "");
+}
+
 // Cells outside the band of the case were listed as "ran".
 TEST(Matrix, judges_the_expected_answers_in_every_cell) {
     // With a window of its own: one that goes on to the end of the file would not be due yet.

@@ -29,7 +29,8 @@ namespace {
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t steps_between_looks = 16;  // at the clock: a look costs as much as a block's step
 
-bool is_judged(const ExpectResult& answer) { return answer.verdict != Verdict::not_judged; }
+bool is_late(const ExpectResult& answer) { return answer.verdict == Verdict::not_judged; }
+bool is_judged(const ExpectResult& answer) { return !is_late(answer) && answer.verdict != Verdict::reported; }
 bool is_missed(const ExpectResult& answer) { return answer.verdict == Verdict::failed; }
 
 /// Value of a column at the end; the first record where none is named.
@@ -73,7 +74,7 @@ void judge(const Simulation& simulation, MatrixEntry& entry) {
             entry.why += (entry.why.empty() ? "" : "; ") + miss_of(answer);
         }
     }
-    const auto late = std::ranges::count_if(entry.answers, std::not_fn(is_judged));
+    const auto late = std::ranges::count_if(entry.answers, is_late);
     if (late > 0) {  // where `end` is shorter than that of the file, say
         entry.why += fmt::format("{}{} of {} answers not judged: due after the end at {:.6g} s",
                                  entry.why.empty() ? "" : "; ", late, entry.answers.size(), simulation.end());

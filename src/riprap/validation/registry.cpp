@@ -44,8 +44,6 @@ std::span<const ValidationCase> zhao_cases() {
         ValidationCase{"zhao", "cubes_in_box", "Cubes fall into a box and come to rest", false, zhao::cubes_in_box},
         ValidationCase{"zhao", "cubes_of_tetrahedra", "The same cubes made of tetrahedra with the FDEM potential", true,
                        zhao::cubes_of_tetrahedra},
-        ValidationCase{"zhao", "wedge_dynamic", "A wedge on a shaken slope slides, stops and rests", false,
-                       zhao::wedge_dynamic},
     };
     return cases;
 }
@@ -176,7 +174,6 @@ std::span<const ValidationCase> grid_cases() {
         ValidationCase{"grid", "dupuit", "Flow between two reservoirs through stones (Dupuit)", false, grid::dupuit},
         ValidationCase{"grid", "porous_dam_break", "Dam break through crushed rock (Lin)", false,
                        grid::porous_dam_break},
-        ValidationCase{"grid", "dam_break_front", "Front of a dam break on a dry floor", false, grid::dam_break_front},
         ValidationCase{"grid", "wall_impact", "Pressure of a dam break on a wall (Lobovsky and others)", false,
                        grid::wall_impact},
         ValidationCase{"grid", "wall_pressure", "Dam break, pressure low on the far wall (Buchner)", false,

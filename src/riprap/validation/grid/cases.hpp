@@ -19,7 +19,6 @@ void still_water(const CaseSetting& setting, CaseReport& report);
 void filter(const CaseSetting& setting, CaseReport& report);
 void dupuit(const CaseSetting& setting, CaseReport& report);
 void porous_dam_break(const CaseSetting& setting, CaseReport& report);
-void dam_break_front(const CaseSetting& setting, CaseReport& report);
 void wall_impact(const CaseSetting& setting, CaseReport& report);
 void wall_pressure(const CaseSetting& setting, CaseReport& report);
 void standing_wave(const CaseSetting& setting, CaseReport& report);

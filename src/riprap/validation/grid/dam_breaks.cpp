@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dam breaks on a dry floor: the front, and the pressure on the far wall.
+// Dam breaks on a dry floor: the pressure on the far wall.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,20 +12,6 @@
 namespace riprap::validation::grid {
 
 namespace {
-
-/// Z = x/a against T = t sqrt(2g/a), as digitised.
-struct Measured {
-    const char* source;
-    std::vector<double> time, front;
-};
-const std::vector<Measured>& experiments() {
-    static const std::vector<Measured> all{
-        {"Koshizuka and Oka 1996",
-         {1.153, 1.537, 1.935, 2.323, 2.719, 3.096},
-         {1.505, 1.892, 2.241, 2.615, 3.003, 3.624}},
-        {"Martin and Moyce 1952, a = 2.25 in", {1.997, 2.547, 3.345}, {2.292, 2.995, 4.134}}};
-    return all;
-}
 
 /// A plane tank with a column of water at its left, open above.
 GridTrial column_in_tank(double width, double height, double length, double top, double h, Phase water) {
@@ -49,44 +35,6 @@ double first_above(const std::vector<double>& x, const std::vector<double>& y, d
 }
 
 }  // namespace
-
-void dam_break_front(const CaseSetting& setting, CaseReport& report) {
-    const double a = 0.05715, unit = std::sqrt(a / (2 * 9.81));
-    const double h = a / (setting.is_full ? 40 : 20);
-    GridTrial trial = column_in_tank(a, 2 * a, 5 * a, 2.5 * a, h, {1000, 1e-6});
-    trial.add("front", [h](const GridTrial& t) { return read_front(t.settings(), t.state(), {0, 0.5 * h, 0}, 0); });
-    trial.run(3.6 * unit);
-    std::vector<double> time, front;
-    for (std::size_t i = 0; i < trial.time().size(); ++i) {
-        time.push_back(trial.time()[i] / unit);
-        front.push_back(std::max(front.empty() ? 0 : front.back() + 1e-9, trial.column("front")[i] / a));
-    }
-    for (const Measured& m : experiments()) {
-        double best = 1e9, worst = 0, best_shift = 0;
-        for (double shift = -0.3; shift < 0.301; shift += 0.01) {  // a gate needs time
-            double sum = 0, largest = 0;
-            for (std::size_t i = 0; i < m.time.size(); ++i) {
-                const double error = std::abs((between_rows(front, time, m.front[i]) + shift) / m.time[i] - 1);
-                sum += error / static_cast<double>(m.time.size());
-                largest = std::max(largest, error);
-            }
-            if (sum < best) {
-                best = sum;
-                worst = largest;
-                best_shift = shift;
-            }
-        }
-        report.judge_below(
-            {fmt::format("{}: mean error of the time at given places (shift {:.2f})", m.source, best_shift),
-             "-",
-             {},
-             0.0,
-             {}},
-            best, 0.05);
-        report.judge_below({fmt::format("{}: largest error", m.source), "-", {}, 0.0, {}}, worst, 0.10);
-    }
-    trial.report_books(report);
-}
 
 void wall_impact(const CaseSetting& setting, CaseReport& report) {
     // [Lobovsky2014]; the incompressible comparison is that of [DeCourcy2024].

@@ -20,6 +20,5 @@ void slope_5(const CaseSetting& setting, CaseReport& report);
 void mixed_pile(const CaseSetting& setting, CaseReport& report);
 void cubes_in_box(const CaseSetting& setting, CaseReport& report);
 void cubes_of_tetrahedra(const CaseSetting& setting, CaseReport& report);
-void wedge_dynamic(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::zhao
