@@ -17,8 +17,8 @@ inline constexpr std::int64_t first_steps = 10;
 inline constexpr double most_artificial = 0.1;
 
 /// Returns the residual of a ledger over what was turned over [-]; 0 where it is no more than round-off after so many
-/// steps, each of which rounds the largest energy by half a unit in the last place: a body that rests turns nothing over
-/// but that.
+/// steps, each of which rounds the largest energy by half a unit in the last place: a body that rests turns nothing
+/// over but that.
 double missed_share(const sim::Ledger& ledger, std::int64_t steps);
 
 /// Returns why a ledger ends the run, with the body that has most of the energy; empty where it closes, to

@@ -59,8 +59,8 @@ void add_up(const body::BodySet& bodies, const coupling::FluidLoads& loads, body
 /// Adds the loads of one of `spans` equal spans to their mean over the step: momentum is kept.
 void add_share(const body::Loads& span, std::int64_t spans, body::Loads& step);
 
-/// Returns the work of the loads on free bodies that move as predicted: of all fluids that move by themselves walls go on
-/// without the rate of stretch [J].
+/// Returns the work of the loads on free bodies that move as predicted: of all fluids that move by themselves walls go
+/// on without the rate of stretch [J].
 double work_on_free(const Prediction& prediction, const body::Loads& loads, double dt);
 
 /// Work of loads that are held over a step on free bodies [J].

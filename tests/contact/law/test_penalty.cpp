@@ -38,14 +38,14 @@ TEST(Penalty, slip_within_the_limit_is_elastic) {
     EXPECT_DOUBLE_EQ(answer.friction_loss, 0);
 }
 
-TEST(Penalty, sliding_holds_the_limit_and_takes_the_work_of_the_slip_lost) {
+TEST(Penalty, sliding_holds_the_limit_and_takes_the_slip_lost_times_the_mean_force) {
     PenaltyMotion motion = pressed(0.2, {0.1, 0, 0});
     motion.velocity = {3, 0, 0};
     const PenaltyAnswer answer = penalty(springs, motion);
     EXPECT_TRUE(answer.is_sliding);
     EXPECT_DOUBLE_EQ(answer.force.x, -10);
     EXPECT_DOUBLE_EQ(answer.slip.x, 0.2);
-    EXPECT_DOUBLE_EQ(answer.friction_loss, 10 * 0.2);
+    EXPECT_DOUBLE_EQ(answer.friction_loss, 0.5 * (5 + 10) * 0.2);  // the spring pulled with 5 N before
 }
 
 TEST(Penalty, a_bond_keeps_its_cohesion_until_it_has_slid_by_its_length) {
@@ -59,7 +59,7 @@ TEST(Penalty, a_bond_keeps_its_cohesion_until_it_has_slid_by_its_length) {
     EXPECT_TRUE(yields.is_intact);
     EXPECT_DOUBLE_EQ(yields.force.x, -15);
     EXPECT_NEAR(yields.plastic_slip, 0.05, 1e-15);
-    EXPECT_NEAR(yields.friction_loss, 15 * 0.05, 1e-14);
+    EXPECT_NEAR(yields.friction_loss, 0.5 * (17.5 + 15) * 0.05, 1e-14);
     motion.plastic_slip = 0.06;
     const PenaltyAnswer broken = penalty(bonded, motion);
     EXPECT_FALSE(broken.is_intact);

@@ -40,7 +40,7 @@ struct PenaltyAnswer {
     double energy{0};         ///< stored in both springs [J]
     double friction_loss{0};  ///< taken by sliding since the last evaluation, against the mean of the spring's forces
                               ///< then and now; of a bond that this slip has broken: what the spring gives up [J]
-    Vec3 dashpot{};  ///< the part of the force that is due to the dashpots [N]
+    Vec3 dashpot{};           ///< the part of the force that is due to the dashpots [N]
 };
 
 /// Penalty contact with Coulomb friction [MikolaSitar2013], one point at a time:
@@ -49,9 +49,10 @@ struct PenaltyAnswer {
 ///     t  <- t + (v - (v.n) n) dt,   f_s = -k_s t - c_s v_t,   |f_s| <= f_n tan phi + C,
 ///
 /// n from a to b, v = v_a - v_b. Where the limit is passed the contact slides: t is shortened to it, and friction takes
-/// the slip lost times the mean force over the time: a limit that grew from nothing took half as much. A bond that has slid by more than bond_slip in all breaks: cohesion C and tension are
-/// lost for good and t is shortened to f_n tan phi/k_s; one that slides while it is apart opens. Stiffness per area
-/// with the area of the point makes it the soft contact of [Ding2021, eq. 2.10].
+/// the slip lost times the mean force over the time: a limit that grew from nothing took half as much. A bond that has
+/// slid by more than bond_slip in all breaks: cohesion C and tension are lost for good and t is shortened to f_n tan
+/// phi/k_s; one that slides while it is apart opens. Stiffness per area with the area of the point makes it the soft
+/// contact of [Ding2021, eq. 2.10].
 PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion);
 
 }  // namespace riprap::contact

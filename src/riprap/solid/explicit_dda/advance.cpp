@@ -138,8 +138,8 @@ void add_shares(const BlockContact& contact, const ContactForce& found, Scratch&
     scratch.damping[at(contact.b)] += found.damping_b;
 }
 
-/// Returns the work that the springs of a contact take in half a step at the velocity before the kick: they push on until
-/// halfway to the kick that no longer finds them.
+/// Returns the work that the springs of a contact take in half a step at the velocity before the kick: they push on
+/// until halfway to the kick that no longer finds them.
 double work_of_half(const ContactForce& found, double dt) {
     return -0.5 * dt * dot(found.force - found.answer.dashpot, found.velocity);
 }
@@ -194,8 +194,8 @@ void sum_and_remember(const BlockSystem& system, const affine::BlockState& state
     history.bonded = bonds_left(scratch.old.bonded, bonds);
 }
 
-/// Returns the work that the dashpots took: along the way of the step, half of it with the velocities before the kick and
-/// half with those after it.
+/// Returns the work that the dashpots took: along the way of the step, half of it with the velocities before the kick
+/// and half with those after it.
 double dashpot_work(const BlockSystem& system, const Scratch& scratch, const affine::BlockState& state, double dt) {
     double work = 0;
     for (std::size_t i = 0; i < scratch.contacts().size(); ++i) {
@@ -279,8 +279,8 @@ KickSums kick_one(const BlockSystem& system, const Settings& settings, double dt
         return dot(p.row[0], q.row[0]) + dot(p.row[1], q.row[1]) + dot(p.row[2], q.row[2]);
     };
     const Mat3 after = rows_at(state.velocity_gradient, b);
-    // As in the kick of rigid bodies: the energy that leapfrog keeps, and half of the work of loads in the step is booked
-    // before the kick.
+    // As in the kick of rigid bodies: the energy that leapfrog keeps, and half of the work of loads in the step is
+    // booked before the kick.
     const Vec3 gained = middle - old_velocity, drag = (settings.mass_damping * system.mass[b]) * state.velocity[b];
     const Mat3 gained_gradient = gradient - old_gradient;
     const double early =
