@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "riprap/core/index.hpp"
@@ -49,11 +50,41 @@ bool is_held(const sim::Model& model, std::span<const DeepPairs::Meeting> meetin
     });
 }
 
+/// One side of a gap, as a body in it feels it.
+struct Side {
+    BodyId body, wall;
+    Vec3 met, push;  ///< from the wall to the body: when they met, and now [-]
+};
+
+/// The side of a gap that a pair is for its body, where the other one cannot yield.
+std::optional<Side> side_of(const sim::Model& model, const DeepPairs::Meeting& now, const Vec3& met) {
+    const BodyId a = model.bodies.parts[at(now.parts.a)].body, b = model.bodies.parts[at(now.parts.b)].body;
+    const auto is_free = [&model](BodyId body) { return model.bodies.drive[at(body.value)] == body::Drive::free; };
+    if (is_free(a) == is_free(b)) {
+        return std::nullopt;
+    }
+    return is_free(b) ? Side{b, a, met, now.push} : Side{a, b, -met, -now.push};
+}
+
+/// Tells whether two sides of a gap that held a body back when it came no longer do, or push it on: while deep in both
+/// it has come to where they are nearest to each other.
+bool has_passed(const Side& one, const Side& other) {
+    // Sums of the two pushes of size 1: one at the mouth of a gap of 0.97 of the width of a disc, one a disc between
+    // walls that close by 3 degrees.
+    constexpr double held = 0.2, let_go = 0.05;
+    if (one.body != other.body || !(dot(one.push, other.push) < -0.5)) {
+        return false;
+    }
+    const Vec3 before = one.met + other.met, now = one.push + other.push;
+    return norm(before) > held && dot(before, now) < let_go * norm(before);
+}
+
 }  // namespace
 
 std::string DeepPairs::look(const sim::Model& model, const sim::State& state, std::span<const Meeting> meetings) {
     const DeepPairs before = std::exchange(*this, {});
     std::string problem;
+    std::vector<Side> sides;  // of pairs that were deep before
     for (const Meeting& now : meetings) {
         const body::Part &part_a = model.bodies.parts[at(now.parts.a)], &part_b = model.bodies.parts[at(now.parts.b)];
         const Pose a = pose_of(state, part_a.body), b = pose_of(state, part_b.body);
@@ -85,6 +116,20 @@ std::string DeepPairs::look(const sim::Model& model, const sim::State& state, st
                 model.bodies.name(part_a.body), model.bodies.name(part_b.body), gone, gone / radius, now.point.x,
                 now.point.y, now.point.z, state.time, solid::most_overlap);
         }
+        const auto side = side_of(model, now, rotate(a.orientation, normal_a_.back()));
+        if (!side) {
+            continue;
+        }
+        const auto other = std::ranges::find_if(sides, [&](const Side& one) { return has_passed(one, *side); });
+        if (problem.empty() && other != sides.end()) {
+            problem = fmt::format(
+                "{} is squeezed through between {} and {}, {:.3g} m deep in them, {:.3g} of an inscribed radius, at "
+                "({:.6g}, {:.6g}, {:.6g}) m, t = {:.6g} s: their contact cannot carry what they bring; a body passes "
+                "no gap narrower than itself",
+                model.bodies.name(side->body), model.bodies.name(other->wall), model.bodies.name(side->wall), now.depth,
+                now.share, now.point.x, now.point.y, now.point.z, state.time);
+        }
+        sides.push_back(*side);
     }
     return problem;
 }
