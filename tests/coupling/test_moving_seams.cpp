@@ -203,7 +203,7 @@ TEST(MovingSeams, LeaveNothingAlongAWallWhateverTheHeightOfItsRows) {
             corner.seams().hand_over(corner.samples, corner.particles, loads);
             const double across = dot(loads.force[1], corner.turned({1, 0, 0}));
             EXPECT_GT(across, 0.4 * 50 / dp) << deep;
-            EXPECT_NEAR(dot(loads.force[1], corner.turned({0, 1, 0})), 0, 0.005 * across) << deep << ' ' << angle;
+            EXPECT_NEAR(dot(loads.force[1], corner.turned({0, 1, 0})), 0, 0.009 * across) << deep << ' ' << angle;
         }
     }
 }

@@ -19,7 +19,7 @@ void share_openings(const WcmpsSettings& settings, const ParticleState& state, c
                     WcmpsScratchData& s) {
     if (settings.wall_pressure == MpsWallPressure::mirrored) {
         s.walls.openings.share.assign(walls.position.size(), 0);
-        s.walls.openings.slip.clear();
+        s.walls.openings.slip.assign(walls.position.size(), 0);
         return;
     }
     const OpeningSides sides{walls.position, walls.velocity, walls.normal,         s.walls.share,
@@ -38,7 +38,7 @@ void sum_continuity(const WcmpsSettings& settings, const ParticleState& state, c
                     const Vec3& gravity, WcmpsScratchData& s) {
     const auto count = state.density.size();
     for (std::vector<double>* sums : {&s.continuity.rate, &s.continuity.stir, &s.continuity.diffusion,
-                                      &s.continuity.crowding, &s.continuity.neighbours}) {
+                                      &s.continuity.crowding, &s.continuity.neighbours, &s.continuity.slip}) {
         clear(*sums, count);
     }
     clear(s.continuity.normal, count);
@@ -57,9 +57,9 @@ void sum_continuity(const WcmpsSettings& settings, const ParticleState& state, c
                   {state.position, {v(0), v(1), v(2), field(s.water.concentration)}},
                   {walls.position,
                    {v_w(0), v_w(1), v_w(2), field(s.walls.share), field(s.walls.mirrors), field(s.walls.openings.share),
-                    field(s.walls.stands_still)}},
+                    field(s.walls.stands_still), field(s.walls.openings.slip)}},
                   {sink(s.continuity.rate), sink(s.continuity.crowding), sink(s.continuity.neighbours), n(0), n(1),
-                   n(2), sink(s.continuity.damped)},
+                   n(2), sink(s.continuity.damped), sink(s.continuity.slip)},
                   s.lists.fluid_walls);
 }
 
@@ -97,7 +97,7 @@ double damped_share(double standing) {
 }
 
 struct Losses {
-    double diffusion{0}, heat{0};
+    double diffusion{0}, heat{0}, exchange{0};
 };
 
 /// The second half of the last shift, which so is made half before and half after the density that both forces beside
@@ -189,8 +189,10 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
         const double flown = before - dt * lattice.first_order() * s.continuity.rate[i] + spread;
         const double standing = s.continuity.damped[i] / lattice.number_density;
         const double squeezed = -lattice.first_order() * s.continuity.rate[i] / before;
+        s.continuity.slip[i] *= -lattice.first_order() / before;
         s.continuity.damped[i] = damped_share(standing) * squeezed;
-        const double heat = per_density * resistance * state.dilution[i] * squeezed;  // the other half of the last kick
+        // the other half of the last kick
+        const double heat = per_density * resistance * state.dilution[i] * (squeezed - s.continuity.slip[i]);
         state.dilution[i] = 0;
         const double crowding = s.continuity.crowding[i];
         const double closer = flown + returned * (crowding + slope * length - before);
@@ -200,13 +202,15 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
         // what leaves compression, m/rho_0 p/x dx, halfway between the values that forces see
         const double mean = 0.5 * (before + after);
         const double per_concentration = per_density * pressure_of(settings, mean) / mean;
-        return Losses{-per_concentration * (spread + after - flown), heat};
+        return Losses{-per_concentration * (spread + after - flown), heat,
+                      -per_concentration * dt * before * s.continuity.slip[i]};
     };
     const Losses losses = parallel::reduce(state.owned(), Losses{}, advance_one, [](const Losses& a, const Losses& b) {
-        return Losses{a.diffusion + b.diffusion, a.heat + b.heat};
+        return Losses{a.diffusion + b.diffusion, a.heat + b.heat, a.exchange + b.exchange};
     });
     report.dissipated_diffusion = losses.diffusion;
     report.dissipated_viscous = losses.heat;
+    report.wall_exchange = losses.exchange;
 }
 
 }  // namespace riprap::fluid::wcmps

@@ -84,8 +84,8 @@ struct WallsAlong {
 struct WallOpenings {
     std::vector<double> share;   ///< g of NumberContinuityAtWalls: the opening over sum W [1/s]
     std::vector<double> around;  ///< sum W [-]
-    std::vector<double> slip;    ///< by how much the opening is more than that of the forces' conjugate, sum x_j (v_w -
-                                 ///< v_j).d W/r^2 [1/s]
+    std::vector<double> slip;    ///< g': by how much g is more than that of the forces' conjugate, sum x_j (v_w -
+                                 ///< v_j).d W/r^2 over sum W [1/s]
     std::vector<Vec3> mean;      ///< sum v_j W
     std::vector<Vec3> along;     ///< of the water and of the walls
 
@@ -148,7 +148,7 @@ void find_openings(const MpsWeight& weight, const OpeningSides& sides, const Has
             return;
         }
         found.share[w] += dot(found.mean[w] / found.around[w], found.along[w]);
-        found.slip[w] += knows_normals ? found.share[w] : 0;
+        found.slip[w] = knows_normals ? (found.slip[w] + found.share[w]) / found.around[w] : 0;
         found.share[w] /= found.around[w];
     });
 }

@@ -35,8 +35,9 @@ struct WcmpsContinuity {
     std::vector<double> stir;        ///< sum v^2 W, then u, how fast neighbours pass each other [m/s]
     std::vector<Vec3> normal;        ///< sum W d/r, then the outward unit normal [-]
     std::vector<double> damped;      ///< s dx/dt/x of damp_sound [1/s]
+    std::vector<double> slip;        ///< sum b x g' W of walls, then its dx/dt/x [1/s]
 
-    std::size_t bytes() const { return bytes_of(rate, diffusion, crowding, neighbours, stir, normal, damped); }
+    std::size_t bytes() const { return bytes_of(rate, diffusion, crowding, neighbours, stir, normal, damped, slip); }
 };
 
 /// Sums of MpsMomentum and MpsMomentumFromWalls, in the end scaled to forces: read by shifting and kick.

@@ -59,7 +59,7 @@ void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravi
         sums.potential = -m * dot(downward, state.position[i]);
         sums.internal = m * internal_energy_of(settings, s.water.concentration[i]);
         // of damped sound along the mean velocity of the kick: half now, half at the next update of density
-        const double squeezed = divergence * s.continuity.rate[i] / s.water.concentration[i];
+        const double squeezed = divergence * s.continuity.rate[i] / s.water.concentration[i] - s.continuity.slip[i];
         state.dilution[i] = 0.5 * dt * s.continuity.damped[i];
         sums.heat = s.forces.heat[i] + 0.5 * resistance * s.continuity.damped[i] * squeezed;
         sums.exchange = 0.5 * dot(s.forces.wall_hold[i], before + after) - s.forces.wall_hold_power[i];
@@ -76,7 +76,7 @@ void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravi
     report.potential = sums.potential;
     report.internal = sums.internal;
     report.dissipated_viscous += dt * sums.heat;
-    report.wall_exchange = dt * sums.exchange;
+    report.wall_exchange += dt * sums.exchange;
     report.dissipated_collisions = sums.collisions;
     report.work_external = dt * sums.external;
     report.momentum = sums.momentum;
@@ -169,7 +169,6 @@ void kick_fluid(const WcmpsSettings& settings, ParticleState& state, const Bound
     report.shifted += shifting.potential;
     report.max_shift = std::sqrt(shifting.longest_squared);
     kick(settings, state, g, dt, s, collides, extra_force, report);
-    report.wall_exchange += dt * wcmps::slip_power(settings, s);
     book_walls(walls, dt, report);
     find_wild_particle(settings, state, time, report);
 }
