@@ -17,7 +17,8 @@ namespace riprap::run {
 namespace {
 
 /// Water 0.4 m long and 0.3 m deep.
-std::string scene_of(const std::string& method, double speed, double end) {
+/// @param lower  by how much the wall starts below the height at which its rows continue those of the water [m]
+std::string scene_of(const std::string& method, double speed, double end, double lower = 0, double thickness = 0.08) {
     const auto body = [&](const std::string& name, const std::string& place, const std::string& size,
                           const std::string& how) {
         return fmt::format("[[body]]\nname = '{}'\nmaterial = 'rock'\nshape = {{ box = {} }}\nposition = {}\n{}\n",
@@ -31,7 +32,7 @@ std::string scene_of(const std::string& method, double speed, double end) {
                end, method) +
            body("bottom", "[0.2, -0.1]", "[0.8, 0.2]", "fixed = true") +
            body("left", "[-0.1, 0.2]", "[0.2, 0.8]", "fixed = true") +
-           body("wall", "[0.44, 0.0]", "[0.08, 4.0]",
+           body("wall", fmt::format("[{}, {}]", 0.4 + 0.5 * thickness, -lower), fmt::format("[{}, 4.0]", thickness),
                 fmt::format("motion = {{ linear = {{ velocity = [0, {}] }} }}", speed)) +
            "[[output.probe]]\nbody = 'wall'\nquantity = 'fluid_force'\n"
            "[[output.probe]]\nquantity = 'max_water_speed'\n";
@@ -97,10 +98,20 @@ TEST(SlidingWall, GivesTheSameBitsWhereScratchIsDroppedAndAtAnyThreadCount) {
     EXPECT_EQ(std::set<std::uint64_t>(hashes.begin(), hashes.end()).size(), 1U);
 }
 
-TEST(SlidingWall, RunsToTheEndWithEveryParticleScheme) {
-    for (const char* method : {"wcmps", "mps"}) {
-        const Felt felt = run(scene_of(method, -0.3, 0.6));
-        EXPECT_NEAR(felt.along, 0, 0.02 * felt.across) << method;
+// Before water that slides along a wall was left out of the openings that walls share, the wall took 1.3 to 2.3 % of
+// the push along itself by wcmps at 0.3 m/s, 8 % at 1 m/s, and half of that by mps; with rows handed over as a whole,
+// one that stands 10 mm lower 1.5 % by every scheme.
+TEST(SlidingWall, FeelsNothingAlongItselfWithAnySchemeSpeedHeightAndThickness) {
+    constexpr double head = 0.5 * 9810 * 0.3 * 0.3;
+    struct Slide {
+        double speed, lower, thickness;
+    };
+    for (const char* method : {"sph", "wcmps", "mps"}) {
+        for (const Slide& slide : {Slide{-0.3, 0, 0.08}, {1, 0.003, 0.1}, {0, 0.01, 0.08}}) {
+            const Felt felt = run(scene_of(method, slide.speed, 0.2, slide.lower, slide.thickness));
+            EXPECT_NEAR(felt.across, head, 0.03 * head) << method << ' ' << slide.speed << ' ' << slide.lower;
+            EXPECT_NEAR(felt.along, 0, 0.01 * head) << method << ' ' << slide.speed << ' ' << slide.lower;
+        }
     }
 }
 

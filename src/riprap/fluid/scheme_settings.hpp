@@ -29,6 +29,10 @@ inline ParticleSettings& base_of(SchemeSettings& settings) {
 inline bool takes_openings(const SchemeSettings& settings) {
     return std::visit([](const auto& own) { return own.takes_openings(); }, settings);
 }
+/// Tells whether the scheme reads BoundaryParticles::normal.
+inline bool takes_normals(const SchemeSettings& settings) {
+    return std::visit([](const auto& own) { return own.takes_normals(); }, settings);
+}
 /// Tells whether the scheme reads BoundaryParticles::outward_area.
 inline bool takes_outward_area(const SchemeSettings& settings) {
     return std::visit([](const auto& own) { return own.takes_outward_area(); }, settings);

@@ -82,6 +82,59 @@ TEST(WcmpsWalls, still_water_on_the_lattice_over_a_wall_is_not_pushed_and_weighs
     EXPECT_NEAR(load, weight, 2e-3 * weight);
 }
 
+/// Changes of x by continuity in water beside a long wall below y = 0 that ends at a surface on the right and, on the
+/// left, at a surface or at a wall across that the long one slides through [1/s].
+struct Rates {
+    double largest{0}, sum{0};
+};
+Rates rates_beside(bool has_wall_across, bool knows_normals, const Vec3& along_wall, const Vec3& water) {
+    Pool pool;
+    pool.settings = wcmps_settings(2, spacing, 200);
+    pool.settings.density_diffusion = 0;
+    for (int i = -6; i < 16; ++i) {
+        for (int j = -4; j < rows; ++j) {
+            const Vec3 x{(i + 0.5) * spacing, (j + 0.5) * spacing, 0};
+            const bool is_along = j < 0, is_across = i < 0 && j >= 0;
+            if (is_along || (is_across && has_wall_across)) {
+                pool.add_wall_particle(x, true);
+                pool.walls.velocity.back() = is_along ? along_wall : Vec3{};
+                if (knows_normals) {
+                    const bool is_shared = is_along && i < 0 && has_wall_across;
+                    pool.walls.normal.push_back(is_shared ? Vec3{} : is_along ? Vec3{0, 1, 0} : Vec3{1, 0, 0});
+                }
+            } else if (i >= 0 && i < 10) {
+                pool.add_particle(x, water, 0);
+            }
+        }
+    }
+    update_density(pool.settings, pool.state, pool.walls, {}, 1e-9, pool.scratch, pool.report);
+    Rates found;
+    for (const double rate : pool.scratch.data().continuity.rate) {
+        const double opening = pool.settings.lattice().first_order() * rate;
+        found.largest = std::max(found.largest, std::abs(opening));
+        found.sum += opening;
+    }
+    return found;
+}
+
+// Without the normals a wall takes the end of the water for an opening: a sum of 0.3 V/l, squeezed and drawn apart.
+TEST(WcmpsWalls, water_and_a_wall_that_slide_along_each_other_open_nothing_at_the_end_of_the_water) {
+    const double scale = 0.3 / spacing;
+    for (const bool has_wall_across : {false, true}) {
+        const Rates slides = rates_beside(has_wall_across, true, {0.3, 0, 0}, {});
+        EXPECT_LT(slides.largest, 1e-5 * scale) << has_wall_across;
+        EXPECT_GT(rates_beside(has_wall_across, false, {0.3, 0, 0}, {}).largest, 0.02 * scale) << has_wall_across;
+    }
+    EXPECT_LT(rates_beside(false, true, {}, {0.3, 0, 0}).largest, 1e-5 * scale);
+    EXPECT_GT(rates_beside(false, false, {}, {0.3, 0, 0}).largest, 0.02 * scale);
+    // water and wall that move together, and both towards each other as the operators see it without normals
+    EXPECT_LT(rates_beside(false, true, {0.2, 0.2, 0}, {0.2, 0.2, 0}).largest, 1e-5 * scale);
+    const double towards = rates_beside(false, true, {0, 0.3, 0}, {}).sum,
+                 without = rates_beside(false, false, {0, 0.3, 0}, {}).sum;
+    EXPECT_LT(towards, -scale);
+    EXPECT_NEAR(towards, without, 0.05 * std::abs(without));
+}
+
 // What a wall does to water that passes it, and what the water does to it, is one account: no energy is lost.
 TEST(WcmpsWalls, a_wall_that_moves_through_water_gives_and_takes_what_is_booked) {
     Pool pool = water_over_wall(

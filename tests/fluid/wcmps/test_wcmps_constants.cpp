@@ -60,6 +60,71 @@ TEST(WcmpsConstants, density_spreads_as_by_the_diffusivity_delta_l_c_courant) {
     EXPECT_NEAR(fallen / first, rate * dt, 0.05 * rate * dt);
 }
 
+/// A standing wave of sound in that water, or in a basin of it with a surface; what is left of its energy after some
+/// periods, and what the ledger misses, over that at the start.
+struct Sound {
+    double left, missed;
+};
+Sound sound_after(double damping, double periods) {
+    Pool pool = box_of_water();
+    pool.settings.acoustic_damping = damping;
+    pool.settings.density_diffusion = 0;
+    pool.settings.shifting = 0;
+    for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
+        pool.state.velocity[i].x = 0.01 * std::sin(wave * pool.state.position[i].x);
+    }
+    pool.step();
+    const auto energy = [&] { return pool.report.kinetic + pool.report.internal; };
+    const double start = energy(), closure = pool.closure(), from = pool.time;
+    pool.run_until(from + periods / pool.settings.sound_speed);  // a period is 1 m/c
+    EXPECT_EQ(pool.report.problem, "");
+    return {energy() / start, (pool.closure() - closure) / start};
+}
+
+TEST(WcmpsConstants, sound_decays_as_by_a_bulk_viscosity_of_half_the_support_radius_times_the_sound_speed) {
+    for (const double damping : {0.25, 1.0}) {
+        const double bulk_viscosity = damping * 1.55 / across * 10;  // a h c, over rho_0 [m^2/s]
+        const Sound sound = sound_after(damping, 2);
+        const double expected = -bulk_viscosity * wave * wave * 2 / 10;
+        EXPECT_NEAR(std::log(sound.left), expected, 0.05 * std::abs(expected)) << damping;
+        EXPECT_NEAR(sound.missed, 0, 2e-3) << damping;
+    }
+    EXPECT_NEAR(sound_after(0, 2).left, 1, 0.01);
+}
+
+TEST(WcmpsConstants, sound_is_damped_from_the_third_row_under_a_surface_on_and_beside_walls_that_stand_still) {
+    const auto damped = [](bool has_surface, bool wall_moves) {
+        Pool pool;
+        pool.settings = wcmps_settings(2, 0.02, 20);
+        pool.settings.domain = {{0, -1, 0}, {0.4, 1, 0}, {true, false, false}, 2};
+        for (int i = 0; i < 20; ++i) {
+            for (int j = has_surface ? 0 : -4; j < 12; ++j) {
+                const Vec3 x{(i + 0.5) * 0.02, (j + 0.5) * 0.02, 0};
+                if (j < 0) {
+                    pool.add_wall_particle(x, true);
+                    pool.walls.velocity.back().x = wall_moves ? 0.1 : 0;
+                } else {
+                    pool.add_particle(x, {0, -x.y, 0}, 0);
+                }
+            }
+        }
+        update_density(pool.settings, pool.state, pool.walls, {}, 1e-9, pool.scratch, pool.report);
+        const WcmpsContinuity& found = pool.scratch.data().continuity;
+        std::vector<double> shares;
+        for (std::size_t row = 0; row < 6; ++row) {
+            shares.push_back(found.damped[row] / (-pool.settings.lattice().first_order() * found.rate[row]));
+        }
+        return shares;
+    };
+    for (const std::vector<double>& bare : {damped(true, false), damped(false, true)}) {
+        EXPECT_EQ(bare[0], 0);
+        EXPECT_EQ(bare[1], 0);
+        EXPECT_NEAR(bare[2], 1, 1e-3);
+    }
+    EXPECT_NEAR(damped(false, false)[0], 1, 1e-3);
+    EXPECT_NEAR(damped(false, false)[1], 1, 1e-3);
+}
+
 TEST(WcmpsConstants, in_a_step_acceleration_moves_a_particle_a_thirty_second_of_a_spacing_and_viscosity_an_eighth) {
     Pool pool = box_of_water();
     const double l = pool.settings.spacing;

@@ -71,6 +71,15 @@ void place_areas(const SampleView& samples, const body::Motion& motion, double s
     });
 }
 
+/// Fills the normals of the faces that samples lie under.
+void place_normals(const SampleView& samples, const body::Motion& motion, fluid::BoundaryParticles& walls) {
+    walls.normal.resize(at(samples.size()));
+    parallel::for_each(samples.size(), [&](std::int64_t index) {
+        const auto i = at(index);
+        walls.normal[i] = rotate(motion.pose[at(samples.body(i).value)].orientation, samples.normal(i));
+    });
+}
+
 /// Tells whether numbers of samples are whole fours, as near_samples gives them. Those of a State from before it did so
 /// are not, nor are they of samples in the order that they have now.
 bool are_whole_fours(std::span<const std::int32_t> numbers, std::int64_t samples) {
@@ -115,6 +124,10 @@ void place_walls(const FluidScene& scene, const ParticleFluid& water, const flui
                  double ahead, ParticleScratch& scratch) {
     const SampleView samples(water.samples, scratch.near_numbers);
     place_samples(samples, scratch.motion, scratch.walls, scratch.bodies.is_still);
+    const bool takes_normals = fluid::takes_normals(water.scheme);
+    if (takes_normals) {
+        place_normals(samples, scratch.motion, scratch.walls);
+    }
     if (const MovingSeams seams = seams_of(scene, water, scratch); !seams.empty()) {
         seams.share(samples, scratch.walls);
     }
@@ -124,6 +137,7 @@ void place_walls(const FluidScene& scene, const ParticleFluid& water, const flui
     }
     if (!water.open.empty()) {
         place_openings(water.open, open, water.settings(), time, ahead, scratch.walls);
+        scratch.walls.normal.resize(takes_normals ? scratch.walls.position.size() : 0);  // they have none
     }
 }
 

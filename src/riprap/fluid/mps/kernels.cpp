@@ -36,6 +36,7 @@ using wcmps::MpsPressureOnWalls;
 using wcmps::MpsViscosityOnWalls;
 using wcmps::MpsWallAverages;
 using wcmps::WallOpening;
+using wcmps::WallsAlong;
 
 #define RIPRAP_INSTANTIATE_WITHIN(Pair)                                                                              \
     template void add_pair_sums_within<Pair>(const MpsSettings&, const Pair&, const SweepSide<Pair::target_fields>&, \
@@ -58,6 +59,7 @@ RIPRAP_INSTANTIATE(MpsPressureOnWalls);
 RIPRAP_INSTANTIATE(MpsViscosityOnWalls);
 RIPRAP_INSTANTIATE(MpsWallAverages);
 RIPRAP_INSTANTIATE(WallOpening);
+RIPRAP_INSTANTIATE(WallsAlong);
 #undef RIPRAP_INSTANTIATE
 #undef RIPRAP_INSTANTIATE_WITHIN
 

@@ -16,6 +16,7 @@
 #include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/sweep_lists.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
+#include "riprap/fluid/wcmps/wall_opening.hpp"
 #include "riprap/linear/block_csr.hpp"
 #include "riprap/linear/incomplete_cholesky.hpp"
 
@@ -33,7 +34,7 @@ struct MpsPrediction {
     std::size_t bytes() const { return bytes_of(start_velocity, viscous_force, approaching, share, collision); }
 };
 
-/// Walls as the water sees them: written by predict and collide, `head`, `start_velocity` and `opening` by
+/// Walls as the water sees them: written by predict and collide, `head`, `start_velocity` and `openings` by
 /// solve_pressure, `pressure` by load.
 struct MpsWalls {
     std::vector<double> share;            ///< b, volume over that of a lattice place [-]
@@ -46,12 +47,13 @@ struct MpsWalls {
     std::vector<Vec3> viscous_force, collision_force;  ///< on the walls [N]
     std::vector<Vec3> head;                            ///< rho_0 (g - a_w) [Pa/m]
     std::vector<Vec3> start_velocity;                  ///< u_n + dt g [m/s]
-    std::vector<double> opening, around;  ///< sums of WallOpening, then g of NumberContinuityAtWalls for the first
-    std::vector<double> pressure;         ///< in forces where m = 0; P where it is given [Pa]
+    wcmps::WallOpenings openings;                      ///< of r** and u**
+    std::vector<double> pressure;                      ///< in forces where m = 0; P where it is given [Pa]
 
     std::size_t bytes() const {
         return bytes_of(share, grip_share, follows, mirrors, given, ones, mirrored_velocity, viscous_force,
-                        collision_force, head, start_velocity, opening, around, pressure);
+                        collision_force, head, start_velocity, pressure) +
+               openings.bytes();
     }
 };
 

@@ -46,6 +46,7 @@ struct MpsSettings : ParticleSettings {
     bool is_plain{false};      ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
     bool takes_joints() const { return true; }
+    bool takes_normals() const { return wall_pressure == MpsWallPressure::averaged; }
 
     double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]
     double expected_speed() const { return 0.1 * sound_speed; }   ///< [m/s]

@@ -222,30 +222,28 @@ double divergence(const MpsSettings& settings, const ParticleState& state, const
         const Vec3 d = separation(s.around.predicted[i], s.around.predicted_walls[w]);
         sum += (1 + s.walls.mirrors[w]) * s.walls.share[w] * dot(state.velocity[i] - s.walls.start_velocity[w], d) *
                    weight.over_square(norm_squared(d), s.around.walls.weight(e)) +
-               s.walls.share[w] * s.walls.opening[w] * s.around.walls.weight(e);
+               s.walls.share[w] * s.walls.openings.share[w] * s.around.walls.weight(e);
     }
     return sum;
 }
 
 /// Finds g of walls at r**, of the water's u**: zero where they mirror each particle or have a pressure of their own.
-void share_openings(const MpsSettings& settings, const ParticleState& state, MpsScratchData& s) {
-    const auto count = s.around.predicted_walls.size();
-    clear(s.walls.opening, count);
+void share_openings(const MpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
+                    MpsScratchData& s) {
     if (settings.wall_pressure == MpsWallPressure::mirrored) {
+        s.walls.openings.share.assign(s.around.predicted_walls.size(), 0);
         return;
     }
-    clear(s.walls.around, count);
     s.around.ones.assign(s.around.predicted.size(), 1.0);
-    const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto u = [&](int axis) { return component(s.walls.start_velocity, axis); };
-    add_pair_sums(settings, wcmps::WallOpening{settings.weight()}, {s.around.predicted_walls, {u(0), u(1), u(2)}},
-                  {s.around.predicted, {v(0), v(1), v(2), field(s.around.ones)}},
-                  {sink(s.walls.opening), sink(s.walls.around)}, s.lists.walls_fluid);
-    parallel::for_each(static_cast<std::int64_t>(count), [&](std::int64_t entry) {
-        const auto w = static_cast<std::size_t>(entry);
-        const bool is_shared = s.walls.follows[w] != 0 && s.walls.around[w] > 0;
-        s.walls.opening[w] = is_shared ? s.walls.opening[w] / s.walls.around[w] : 0;
-    });
+    const wcmps::OpeningSides sides{s.around.predicted_walls, s.walls.start_velocity, walls.normal, s.walls.share,
+                                    s.around.predicted,       state.velocity,         s.around.ones};
+    wcmps::find_openings(
+        settings.weight(), sides, [&](std::size_t w) { return s.walls.follows[w] != 0; },
+        [&](const auto& pair, const auto& targets, const auto& candidates, const auto& sums, bool is_among_walls) {
+            add_pair_sums(settings, pair, targets, candidates, sums,
+                          is_among_walls ? s.lists.walls_walls : s.lists.walls_fluid);
+        },
+        s.walls.openings);
 }
 
 }  // namespace
@@ -294,7 +292,7 @@ linear::SolveReport solve_pressure(const MpsSettings& settings, const ParticleSt
             walls.velocity[w] + s.walls.follows[w] * dt * (gravity - 0.5 * walls.acceleration[w]);
     });
     if (flow > 0) {
-        share_openings(settings, state, s);
+        share_openings(settings, state, walls, s);
     }
     s.equation.right.resize(s.equation.particle.size());
     s.equation.solution.resize(s.equation.particle.size());

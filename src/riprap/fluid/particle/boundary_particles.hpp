@@ -20,6 +20,10 @@ struct BoundaryParticles {
     std::vector<std::uint8_t> is_slippery;  ///< free slip: no viscous force
     std::vector<double> given_pressure;     ///< instead of that of the fluid; none where negative, or empty [Pa]
 
+    /// Outward normal n of the face that each of them lies under; times the root of 1 - s where the share s of it lies
+    /// in solid that two bodies with faces of their own share, whose water slides along both. Empty where no fluid asks
+    /// for it [-].
+    std::vector<Vec3> normal;
     std::vector<Vec3> outward_area;  ///< area of solid that a particle stands for, along the outward normal, zero
                                      ///< below the outermost layer; empty where no fluid asks for it [m^2]
 
@@ -29,8 +33,8 @@ struct BoundaryParticles {
     std::vector<Vec3> pressure_force, viscous_force;
 
     std::size_t bytes() const {
-        return bytes_of(position, velocity, acceleration, volume, is_slippery, given_pressure, outward_area, pressure,
-                        pressure_force, viscous_force);
+        return bytes_of(position, velocity, acceleration, volume, is_slippery, given_pressure, normal, outward_area,
+                        pressure, pressure_force, viscous_force);
     }
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
 };

@@ -34,6 +34,7 @@ struct ParticleSettings {
     // A scheme that can do more says so by a member of its own:
     bool takes_openings() const { return false; }      ///< water may enter and leave
     bool takes_joints() const { return false; }        ///< water presses in joints between faces
+    bool takes_normals() const { return false; }       ///< the scheme reads BoundaryParticles::normal
     bool takes_outward_area() const { return false; }  ///< the scheme reads BoundaryParticles::outward_area
 };
 

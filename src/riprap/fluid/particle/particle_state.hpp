@@ -13,10 +13,12 @@ namespace riprap::fluid {
 /// sums over neighbours follow it, and it is renewed (sorted by place) on steps given by the step number alone. Lists
 /// of neighbours are Scratch and decide no bit.
 struct ParticleState {
-    std::vector<Vec3> position;    ///< x_n [m]
-    std::vector<Vec3> velocity;    ///< v_n [m/s]
-    std::vector<double> density;   ///< rho_(n-1/2), half a step behind the rest [kg/m^3]
-    std::vector<double> dilution;  ///< share of density that the last shift took, due at the next update of density [-]
+    std::vector<Vec3> position;   ///< x_n [m]
+    std::vector<Vec3> velocity;   ///< v_n [m/s]
+    std::vector<double> density;  ///< rho_(n-1/2), half a step behind the rest [kg/m^3]
+    /// SPH: share of density that the last shift took, due at the next update of density. WC-MPS: damped compression in
+    /// half of the last step, whose heat is due then. MPS: density that the pressure at the start lacks [-].
+    std::vector<double> dilution;
     std::vector<Vec3> shift;       ///< half of the last shift, due after the next update of density; empty = none [m]
     std::vector<std::int32_t> id;  ///< of the particle for life: 0 to size() - 1 at the start
     double max_acceleration{0};    ///< in the last step; limits the next [m/s^2]

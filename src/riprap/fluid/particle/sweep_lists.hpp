@@ -27,7 +27,7 @@ class SweepLists {
     std::shared_ptr<PlacedParticles> fluid_, walls_;
 
  public:
-    SweepScratch fluid_fluid, fluid_walls, walls_fluid;
+    SweepScratch fluid_fluid, fluid_walls, walls_fluid, walls_walls;
 };
 
 }  // namespace riprap::fluid

@@ -33,7 +33,8 @@ SweepLists::SweepLists()
       walls_(std::make_shared<PlacedParticles>()),
       fluid_fluid(fluid_, fluid_, nullptr),
       fluid_walls(fluid_, walls_, &fluid_fluid),
-      walls_fluid(walls_, fluid_, &fluid_fluid) {}
+      walls_fluid(walls_, fluid_, &fluid_fluid),
+      walls_walls(walls_, walls_, &fluid_fluid) {}
 SweepLists::~SweepLists() = default;
 SweepLists::SweepLists(SweepLists&&) noexcept = default;
 SweepLists& SweepLists::operator=(SweepLists&&) noexcept = default;
@@ -46,7 +47,8 @@ void SweepLists::place(const SweepReach& reach, std::span<const Vec3> fluid, std
 }
 
 std::size_t SweepLists::bytes() const {
-    return fluid_->bytes() + walls_->bytes() + fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes();
+    return fluid_->bytes() + walls_->bytes() + fluid_fluid.bytes() + fluid_walls.bytes() + walls_fluid.bytes() +
+           walls_walls.bytes();
 }
 
 std::size_t SweepScratch::bytes() const {

@@ -10,24 +10,27 @@
 namespace riprap::fluid::wcmps {
 namespace {
 
+// C of water and walls that stand still from which sound is damped, and from which wholly: two rows at surfaces and at
+// bodies are not.
+constexpr double damped_from = 0.92, damped_whole = 0.97;
+
 /// Finds g of walls: zero where they mirror each particle or have a pressure of their own.
 void share_openings(const WcmpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                     WcmpsScratchData& s) {
-    clear(s.walls.opening, walls.position.size());
     if (settings.wall_pressure == MpsWallPressure::mirrored) {
+        s.walls.openings.share.assign(walls.position.size(), 0);
+        s.walls.openings.slip.assign(walls.position.size(), 0);
         return;
     }
-    clear(s.walls.around, walls.position.size());
-    const auto v = [&](int axis) { return component(state.velocity, axis); };
-    const auto v_w = [&](int axis) { return component(walls.velocity, axis); };
-    add_pair_sums(settings, WallOpening{settings.weight()}, {walls.position, {v_w(0), v_w(1), v_w(2)}},
-                  {state.position, {v(0), v(1), v(2), field(s.water.concentration)}},
-                  {sink(s.walls.opening), sink(s.walls.around)}, s.lists.walls_fluid);
-    parallel::for_each(walls.size(), [&](std::int64_t entry) {
-        const auto w = static_cast<std::size_t>(entry);
-        const bool is_shared = s.walls.is_given[w] == 0 && s.walls.around[w] > 0;
-        s.walls.opening[w] = is_shared ? s.walls.opening[w] / s.walls.around[w] : 0;
-    });
+    const OpeningSides sides{walls.position, walls.velocity, walls.normal,         s.walls.share,
+                             state.position, state.velocity, s.water.concentration};
+    find_openings(
+        settings.weight(), sides, [&](std::size_t w) { return s.walls.is_given[w] == 0; },
+        [&](const auto& pair, const auto& targets, const auto& candidates, const auto& sums, bool is_among_walls) {
+            add_pair_sums(settings, pair, targets, candidates, sums,
+                          is_among_walls ? s.lists.walls_walls : s.lists.walls_fluid);
+        },
+        s.walls.openings);
 }
 
 /// The sums of NumberContinuity and NumberContinuityAtWalls.
@@ -35,7 +38,7 @@ void sum_continuity(const WcmpsSettings& settings, const ParticleState& state, c
                     const Vec3& gravity, WcmpsScratchData& s) {
     const auto count = state.density.size();
     for (std::vector<double>* sums : {&s.continuity.rate, &s.continuity.stir, &s.continuity.diffusion,
-                                      &s.continuity.crowding, &s.continuity.neighbours}) {
+                                      &s.continuity.crowding, &s.continuity.neighbours, &s.continuity.slip}) {
         clear(*sums, count);
     }
     clear(s.continuity.normal, count);
@@ -47,15 +50,17 @@ void sum_continuity(const WcmpsSettings& settings, const ParticleState& state, c
                          {sink(s.continuity.rate), sink(s.continuity.diffusion), sink(s.continuity.crowding),
                           sink(s.continuity.neighbours), n(0), n(1), n(2), sink(s.continuity.stir)},
                          s.lists.fluid_fluid);
+    s.continuity.damped = s.continuity.crowding;
     const auto v_w = [&](int axis) { return component(walls.velocity, axis); };
     share_openings(settings, state, walls, s);
-    add_pair_sums(
-        settings, NumberContinuityAtWalls{settings.weight()},
-        {state.position, {v(0), v(1), v(2), field(s.water.concentration)}},
-        {walls.position,
-         {v_w(0), v_w(1), v_w(2), field(s.walls.share), field(s.walls.mirrors), field(s.walls.opening)}},
-        {sink(s.continuity.rate), sink(s.continuity.crowding), sink(s.continuity.neighbours), n(0), n(1), n(2)},
-        s.lists.fluid_walls);
+    add_pair_sums(settings, NumberContinuityAtWalls{settings.weight()},
+                  {state.position, {v(0), v(1), v(2), field(s.water.concentration)}},
+                  {walls.position,
+                   {v_w(0), v_w(1), v_w(2), field(s.walls.share), field(s.walls.mirrors), field(s.walls.openings.share),
+                    field(s.walls.stands_still), field(s.walls.openings.slip)}},
+                  {sink(s.continuity.rate), sink(s.continuity.crowding), sink(s.continuity.neighbours), n(0), n(1),
+                   n(2), sink(s.continuity.damped), sink(s.continuity.slip)},
+                  s.lists.fluid_walls);
 }
 
 /// x after water has torn: splashes hold no pressure, and what neighbours leave on one side holds no tension.
@@ -85,6 +90,15 @@ double surface_slope(const WcmpsSettings& settings) {
     }
     return outward > 0 ? lacking / outward : 1;
 }
+
+/// s of damp_sound, from C of the water and of walls that stand still.
+double damped_share(double standing) {
+    return std::clamp((standing - damped_from) / (damped_whole - damped_from), 0.0, 1.0);
+}
+
+struct Losses {
+    double diffusion{0}, heat{0}, exchange{0};
+};
 
 /// The second half of the last shift, which so is made half before and half after the density that both forces beside
 /// it meet: a shift made at once would take energy from one side only. Returns the energy of place that it takes [J].
@@ -116,10 +130,24 @@ void find_pressure(const WcmpsSettings& settings, const ParticleState& state, Wc
     });
 }
 
+double resistance_to_sound(const WcmpsSettings& settings) {
+    return settings.acoustic_damping * settings.smoothing_length() * settings.rest_density * settings.sound_speed;
+}
+
+void damp_sound(const WcmpsSettings& settings, const WcmpsContinuity& continuity, WcmpsWater& water) {
+    const double resistance = resistance_to_sound(settings);
+    parallel::for_each(static_cast<std::int64_t>(water.pressure.size()), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        water.pressure[i] += resistance * continuity.damped[i];
+        water.pressure_over_concentration[i] = water.pressure[i] / water.concentration[i];
+    });
+}
+
 void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& walls, WcmpsWalls& seen) {
     seen.share.resize(walls.position.size());
     seen.is_given.resize(walls.position.size());
     seen.mirrors.resize(walls.position.size());
+    seen.stands_still.resize(walls.position.size());
     const double per_volume = 1 / std::pow(settings.spacing, settings.domain.dimension);
     const bool is_mirrored = settings.wall_pressure == MpsWallPressure::mirrored;
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
@@ -128,6 +156,8 @@ void find_wall_shares(const WcmpsSettings& settings, const BoundaryParticles& wa
         seen.share[w] = walls.volume[w] * per_volume;
         seen.is_given[w] = is_given ? 1 : 0;
         seen.mirrors[w] = is_mirrored && !is_given ? 1 : 0;
+        const bool is_still = norm_squared(walls.velocity[w]) + norm_squared(walls.acceleration[w]) == 0;
+        seen.stands_still[w] = is_still && !is_given ? 1 : 0;
     });
 }
 
@@ -145,6 +175,8 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
     const double diffusivity = settings.density_diffusion * settings.courant * settings.sound_speed * settings.spacing;
     const double spread_factor =
         lattice.second_order() * diffusivity / (settings.rest_density * settings.sound_speed * settings.sound_speed);
+    const double resistance = resistance_to_sound(settings),
+                 per_density = settings.particle_mass / settings.rest_density;
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         s.continuity.crowding[i] /= lattice.number_density;
@@ -155,6 +187,13 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
         const double before = s.water.concentration[i];
         const double spread = dt * spread_factor * s.continuity.diffusion[i];
         const double flown = before - dt * lattice.first_order() * s.continuity.rate[i] + spread;
+        const double standing = s.continuity.damped[i] / lattice.number_density;
+        const double squeezed = -lattice.first_order() * s.continuity.rate[i] / before;
+        s.continuity.slip[i] *= -lattice.first_order() / before;
+        s.continuity.damped[i] = damped_share(standing) * squeezed;
+        // the other half of the last kick
+        const double heat = per_density * resistance * state.dilution[i] * (squeezed - s.continuity.slip[i]);
+        state.dilution[i] = 0;
         const double crowding = s.continuity.crowding[i];
         const double closer = flown + returned * (crowding + slope * length - before);
         const double bound = crowding > surface_limit ? closer : std::max(closer, std::min(1.0, flown));
@@ -162,12 +201,16 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
         state.density[i] = settings.rest_density * after;
         // what leaves compression, m/rho_0 p/x dx, halfway between the values that forces see
         const double mean = 0.5 * (before + after);
-        const double per_concentration =
-            settings.particle_mass / settings.rest_density * pressure_of(settings, mean) / mean;
-        return -per_concentration * (spread + after - flown);
+        const double per_concentration = per_density * pressure_of(settings, mean) / mean;
+        return Losses{-per_concentration * (spread + after - flown), heat,
+                      -per_concentration * dt * before * s.continuity.slip[i]};
     };
-    report.dissipated_diffusion =
-        parallel::reduce(state.owned(), 0.0, advance_one, [](double a, double b) { return a + b; });
+    const Losses losses = parallel::reduce(state.owned(), Losses{}, advance_one, [](const Losses& a, const Losses& b) {
+        return Losses{a.diffusion + b.diffusion, a.heat + b.heat, a.exchange + b.exchange};
+    });
+    report.dissipated_diffusion = losses.diffusion;
+    report.dissipated_viscous = losses.heat;
+    report.wall_exchange = losses.exchange;
 }
 
 }  // namespace riprap::fluid::wcmps

@@ -104,6 +104,7 @@ void begin_forces(const WcmpsSettings& settings, const ParticleState& state, con
                   WcmpsScratchData& s) {
     s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
     find_pressure(settings, state, s.water);
+    damp_sound(settings, s.continuity, s.water);
     find_wall_shares(settings, walls, s.walls);
     const auto count = state.position.size();
     for (std::vector<Vec3>* sums : {&s.forces.force, &s.forces.crowding_gradient, &s.forces.wall_hold}) {

@@ -41,6 +41,7 @@ void add_pair_sums_within(const WcmpsSettings& settings, const Pair& pair,
                                       SweepScratch&)
 RIPRAP_INSTANTIATE_WITHIN(NumberContinuity);
 RIPRAP_INSTANTIATE(WallOpening);
+RIPRAP_INSTANTIATE(WallsAlong);
 RIPRAP_INSTANTIATE(NumberContinuityAtWalls);
 RIPRAP_INSTANTIATE_WITHIN(MpsMomentum);
 RIPRAP_INSTANTIATE(MpsMomentumFromWalls);

@@ -10,6 +10,7 @@
 #include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
+#include "riprap/fluid/wcmps/wall_opening.hpp"
 #include "riprap/fluid/wcmps/wcmps_settings.hpp"
 
 namespace riprap::fluid::wcmps {
@@ -76,43 +77,20 @@ struct NumberContinuity {
     }
 };
 
-/// How the water about a wall particle opens, d = x_w - x_j and v = v_w - v_j:
-///
-///     sums[0] = sum x_j v.d W/r^2,    sums[1] = sum W
-struct WallOpening {
-    static constexpr int target_fields = 3;     ///< v_w
-    static constexpr int candidate_fields = 4;  ///< v, x
-    // Places of the sums.
-    static constexpr int at_opening = 0, at_weight = 1;
-    static constexpr int sums = 2;
-    MpsWeight weight;
-
-    template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real,
-                              Real* sum) const {
-        const Real w = weight.value(r2);
-        Real opening(0);
-        for (int axis = 0; axis < Dim; ++axis) {
-            opening = opening + (target[axis] - candidate[axis]) * d[axis];
-        }
-        sum[at_opening] = sum[at_opening] + candidate[3] * opening * weight.over_square(r2, w);
-        sum[at_weight] = sum[at_weight] + w;
-    }
-};
-
 /// The same of walls; no diffusion into them: sums[1..5] are sums 2, 3 and 4 to 6 above, times b, and
 ///
-///     sums[0] = sum b ((1 + m) v.d W/r^2 + x_i g W)
+///     sums[0] = sum b ((1 + m) v.d W/r^2 + x_i g W),    sums[6] = sum b W over walls that stand still,
+///     sums[7] = sum b x_i g' W,    g' the part of g that the forces have no conjugate of
 ///
 /// Where m = 1, a wall particle moves as the mirror image of the neighbouring fluid particle. Where it has the mean
 /// pressure of the water about it, m = 0, and g is the opening of that water over its sum of W: its particles share
 /// that as they share in the mean.
 struct NumberContinuityAtWalls {
     static constexpr int target_fields = 4;     ///< v, x
-    static constexpr int candidate_fields = 6;  ///< v, b, m, g
+    static constexpr int candidate_fields = 8;  ///< v, b, m, g, 1 where it stands still, g'
     // Places of the sums.
-    static constexpr int at_rate = 0, at_weight = 1, at_count = 2, at_outward = 3;
-    static constexpr int sums = 6;
+    static constexpr int at_rate = 0, at_weight = 1, at_count = 2, at_outward = 3, at_still = 6, at_slip = 7;
+    static constexpr int sums = 8;
     MpsWeight weight;
 
     template <int Dim, class Real>
@@ -126,6 +104,8 @@ struct NumberContinuityAtWalls {
         sum[at_rate] = sum[at_rate] + (Real(1) + candidate[4]) * opening * over_square +
                        candidate[3] * candidate[5] * target[3] * w;
         sum[at_weight] = sum[at_weight] + candidate[3] * w;
+        sum[at_still] = sum[at_still] + candidate[6] * candidate[3] * w;
+        sum[at_slip] = sum[at_slip] + candidate[7] * candidate[3] * target[3] * w;
         sum[at_count] = sum[at_count] + candidate[3] * select(Real(0) < w, Real(1), Real(0));
         const Real over_r = over_square * r;
         for (int axis = 0; axis < Dim; ++axis) {

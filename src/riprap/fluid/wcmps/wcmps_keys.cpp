@@ -23,6 +23,8 @@ MethodKeys<WcmpsSettings> WcmpsSettings::keys() {
                        "Kinematic viscosity of the fluid."),
                 number(&S::density_diffusion, "density_diffusion", dimension::plain, between(0, 1),
                        "Strength of the diffusion of number density."),
+                number(&S::acoustic_damping, "acoustic_damping", dimension::plain, between(0, 1),
+                       "Strength of the bulk viscosity that damps sound inside the water; 0 = off."),
                 boolean(&S::diffuses_hydrostatic, "diffuses_hydrostatic",
                         "Diffusion of all of the number density as in the source, not only of what gravity does not "
                         "explain; still water then creeps.")

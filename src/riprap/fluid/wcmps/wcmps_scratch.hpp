@@ -14,6 +14,7 @@
 #include "riprap/fluid/particle/mps_weight.hpp"
 #include "riprap/fluid/particle/sweep_lists.hpp"
 #include "riprap/fluid/sph/symmetric.hpp"
+#include "riprap/fluid/wcmps/wall_opening.hpp"
 #include "riprap/fluid/wcmps/wcmps_step.hpp"
 
 namespace riprap::fluid {
@@ -33,8 +34,10 @@ struct WcmpsContinuity {
     std::vector<double> neighbours;  ///< walls included [-]
     std::vector<double> stir;        ///< sum v^2 W, then u, how fast neighbours pass each other [m/s]
     std::vector<Vec3> normal;        ///< sum W d/r, then the outward unit normal [-]
+    std::vector<double> damped;      ///< s dx/dt/x of damp_sound [1/s]
+    std::vector<double> slip;        ///< sum b x g' W of walls, then its dx/dt/x [1/s]
 
-    std::size_t bytes() const { return bytes_of(rate, diffusion, crowding, neighbours, stir, normal); }
+    std::size_t bytes() const { return bytes_of(rate, diffusion, crowding, neighbours, stir, normal, damped, slip); }
 };
 
 /// Sums of MpsMomentum and MpsMomentumFromWalls, in the end scaled to forces: read by shifting and kick.
@@ -75,7 +78,8 @@ struct WcmpsWalls {
     std::vector<double> share;            ///< b = V/l_0^D
     std::vector<std::uint8_t> is_given;   ///< has a pressure of its own
     std::vector<double> mirrors;          ///< m
-    std::vector<double> opening, around;  ///< sums of WallOpening, then g in place of the first
+    std::vector<double> stands_still;     ///< 1 where nothing moves it, else 0
+    wcmps::WallOpenings openings;         ///< of the last density
     std::vector<double> averaged;         ///< A [Pa]
     std::vector<double> held;             ///< H [Pa]
     std::vector<Vec3> head;               ///< h [Pa/m]
@@ -83,7 +87,8 @@ struct WcmpsWalls {
     std::vector<double> grip;             ///< 0 on slippery walls, else 1
 
     std::size_t bytes() const {
-        return bytes_of(share, is_given, mirrors, opening, around, averaged, held, head, mirrored_velocity, grip);
+        return bytes_of(share, is_given, mirrors, stands_still, averaged, held, head, mirrored_velocity, grip) +
+               openings.bytes();
     }
 };
 

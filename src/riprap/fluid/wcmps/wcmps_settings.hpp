@@ -29,6 +29,7 @@ struct WcmpsSettings : ParticleSettings {
 
     double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
     double density_diffusion{0.35};    ///< delta [-], 0 to 1
+    double acoustic_damping{1};        ///< a, see wcmps::damp_sound [-]; 0 = off
     bool diffuses_hydrostatic{false};  ///< diffusion of all of n as in the source, not only of what gravity does not
                                        ///< explain; still water then creeps
     MpsWeightLaw weight_law{MpsWeightLaw::smooth};
@@ -40,6 +41,7 @@ struct WcmpsSettings : ParticleSettings {
     bool is_plain{false};  ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
     bool takes_joints() const { return true; }
+    bool takes_normals() const { return wall_pressure == MpsWallPressure::averaged; }
     bool takes_outward_area() const { return wall_loads == WallLoads::pressure_area; }
 
     double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]

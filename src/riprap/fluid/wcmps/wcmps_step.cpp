@@ -12,6 +12,9 @@
 #include "riprap/fluid/wcmps/surface.hpp"
 
 namespace riprap::fluid {
+
+using wcmps::resistance_to_sound;
+
 namespace {
 
 struct Sums {
@@ -40,7 +43,8 @@ Sums operator+(Sums a, const Sums& b) {
 /// acceleration gives to c, and forces work on the speeds of both steps, (v + v_(n+1))/2.
 void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
           const WcmpsScratchData& s, bool collides, const SparseVectors& extra_force, WcmpsReport& report) {
-    const double m = settings.particle_mass;
+    const double m = settings.particle_mass, resistance = m / settings.rest_density * resistance_to_sound(settings);
+    const double divergence = -settings.lattice().first_order();
     const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
@@ -54,7 +58,10 @@ void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravi
         sums.collisions = -0.5 * m * dot(collision, 2.0 * before + collision + dt * acceleration);
         sums.potential = -m * dot(downward, state.position[i]);
         sums.internal = m * internal_energy_of(settings, s.water.concentration[i]);
-        sums.heat = s.forces.heat[i];
+        // of damped sound along the mean velocity of the kick: half now, half at the next update of density
+        const double squeezed = divergence * s.continuity.rate[i] / s.water.concentration[i] - s.continuity.slip[i];
+        state.dilution[i] = 0.5 * dt * s.continuity.damped[i];
+        sums.heat = s.forces.heat[i] + 0.5 * resistance * s.continuity.damped[i] * squeezed;
         sums.exchange = 0.5 * dot(s.forces.wall_hold[i], before + after) - s.forces.wall_hold_power[i];
         sums.external = 0.5 * dot(extra + m * along, before + after);
         sums.speed_squared = norm_squared(after);
@@ -68,8 +75,8 @@ void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravi
     report.kinetic = sums.kinetic;
     report.potential = sums.potential;
     report.internal = sums.internal;
-    report.dissipated_viscous = dt * sums.heat;
-    report.wall_exchange = dt * sums.exchange;
+    report.dissipated_viscous += dt * sums.heat;
+    report.wall_exchange += dt * sums.exchange;
     report.dissipated_collisions = sums.collisions;
     report.work_external = dt * sums.external;
     report.momentum = sums.momentum;
