@@ -107,13 +107,8 @@ TEST(SlidingWall, FeelsNothingAlongItselfWithAnySchemeSpeedHeightAndThickness) {
         double speed, lower, thickness;
     };
     for (const char* method : {"sph", "wcmps", "mps"}) {
-        for (const Slide& slide : {Slide{-0.3, 0, 0.08},
-                                   {1, 0, 0.08},
-                                   {-1, 0.003, 0.1},
-                                   {0, 0.01, 0.08},
-                                   {0, 0.006, 0.06},
-                                   {0.05, 0.01, 0.12}}) {
-            const Felt felt = run(scene_of(method, slide.speed, 0.3, slide.lower, slide.thickness));
+        for (const Slide& slide : {Slide{-0.3, 0, 0.08}, {1, 0.003, 0.1}, {0, 0.01, 0.08}}) {
+            const Felt felt = run(scene_of(method, slide.speed, 0.2, slide.lower, slide.thickness));
             EXPECT_NEAR(felt.across, head, 0.03 * head) << method << ' ' << slide.speed << ' ' << slide.lower;
             EXPECT_NEAR(felt.along, 0, 0.01 * head) << method << ' ' << slide.speed << ' ' << slide.lower;
         }

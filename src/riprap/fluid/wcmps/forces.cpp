@@ -155,16 +155,6 @@ void load_walls(const WcmpsSettings& settings, const ParticleState& state, Bound
     });
 }
 
-double slip_power(const WcmpsSettings& settings, const WcmpsScratchData& s) {
-    return force_factor(settings) * parallel::reduce(
-                                        static_cast<std::int64_t>(s.walls.openings.slip.size()), 0.0,
-                                        [&](std::int64_t entry) {
-                                            const auto w = static_cast<std::size_t>(entry);
-                                            return s.walls.share[w] * s.walls.averaged[w] * s.walls.openings.slip[w];
-                                        },
-                                        [](double a, double b) { return a + b; });
-}
-
 void add_walls(const WcmpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                WcmpsScratchData& s) {
     const auto at = [](std::vector<Vec3>& sums, int axis) { return sink_component(sums, axis); };
