@@ -93,5 +93,42 @@ TEST_P(ParticleFluids, have_the_same_bits_with_two_threads_and_after_their_scrat
     EXPECT_EQ(hash(1, true), one);
 }
 
+// Water began a whole spacing before faces that lie on rows of the lattice, and fell into the gap.
+TEST_P(ParticleFluids, water_about_a_block_on_rows_of_the_lattice_begins_at_rest) {
+    const std::string held = test::with(test::with(tank, "METHOD", GetParam()), "position = [0.3, 0.3]",
+                                        "position = [0.3, 0.15]\nfixed = true");
+    LoadedCase loaded = test::read(test::with(held, "[0.2, 0.1]", "[0.2, 0.075]"));
+    sim::initialise(loaded.model, loaded.state);
+    sim::Scratch scratch;
+    double most = 0, lift = 0;
+    while (loaded.state.time < 0.1) {
+        const double dt = sim::choose_time_step(loaded.model, loaded.state, scratch).dt;
+        const sim::StepReport report = sim::advance(loaded.model, loaded.state, scratch, dt, sim::Measure::energy);
+        ASSERT_EQ(report.status.text, "");
+        most = std::max(most, report.ledger.fluid.kinetic);
+        lift += dt * scratch.water_loads().pressure.force[3].y;
+    }
+    EXPECT_LT(most, 0.1);  // of 2.4 J/m (mps), 0.6 J/m (wcmps) and 0.5 J/m (sph) before
+    EXPECT_NEAR(lift / loaded.state.time, 1000 * 9.81 * 0.2 * 0.075, 0.05 * 1000 * 9.81 * 0.2 * 0.075);
+}
+
+TEST(ParticleFluid, only_water_whose_density_is_the_count_of_its_particles_begins_with_what_the_count_lacks) {
+    const auto lack_of = [](const std::string& method) {
+        const std::string text =
+            test::with(test::with(tank, "METHOD\"", method), "position = [0.3, 0.3]", "position = [0.3, 0.15]");
+        const LoadedCase loaded = test::read(test::with(text, "[0.2, 0.1]", "[0.2, 0.075]"));
+        double most = 0;
+        for (const double lack : loaded.state.fluid.dilution) {
+            most = std::max(most, std::abs(lack));
+        }
+        return most;
+    };
+    EXPECT_GT(lack_of("mps\""), 1e-3);
+    EXPECT_LT(lack_of("mps\""), 0.05);
+    EXPECT_EQ(lack_of("mps\"\ndivergence_share = 0"), 0);
+    EXPECT_EQ(lack_of("wcmps\""), 0);
+    EXPECT_EQ(lack_of("sph\""), 0);
+}
+
 }  // namespace
 }  // namespace riprap::scene

@@ -8,9 +8,11 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/coupling/fill_faces.hpp"
 #include "riprap/coupling/fill_lattice.hpp"
 #include "riprap/coupling/fill_level.hpp"
 #include "riprap/coupling/fill_solids.hpp"
+#include "riprap/coupling/pack.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::coupling {
@@ -54,17 +56,34 @@ void place_particles(Filling& filling, const std::vector<std::int64_t>& begin, c
     }
 }
 
-/// The region of a place; -1 where it is in none or too near a solid.
-struct Owner {
+/// Cells of the lattice, and of its rim that water reaches, with the particles that they have.
+struct Cells {
     std::span<const RegionPlanes> regions;
     const Lattice& lattice;
     const FillSolids& solids;
     Vec3 up;
     double distance;
-    int operator()(std::int64_t i, std::int64_t row) const {
-        const std::int64_t j = row % lattice.counts[1], k = row / lattice.counts[1];
+    const CutCells& cut;
+
+    std::array<std::int64_t, 3> rim() const { return cut.rim(); }
+    std::int64_t row_length() const { return lattice.counts[0] + 2 * rim()[0]; }
+    std::int64_t rows() const { return (lattice.counts[1] + 2 * rim()[1]) * (lattice.counts[2] + 2 * rim()[2]); }
+    /// put(place, region) for the particle of the cell of that number in a row, where it has one.
+    template <class Put>
+    void visit(std::int64_t number, std::int64_t row, const Put& put) const {
+        const auto [before, under, behind] = rim();
+        const std::int64_t across = lattice.counts[1] + 2 * under;
+        const std::int64_t i = number - before, j = row % across - under, k = row / across - behind;
+        if (const CutCell* const cell = cut.find(i, j, k)) {
+            if (cell->is_filled && cell->region >= 0) {
+                put(cell->place, cell->region);
+            }
+            return;
+        }
         const int region = region_of(regions, lattice, up, i, j, k);
-        return region < 0 || solids.are_near(lattice.place(i, j, k), distance) ? -1 : region;
+        if (region >= 0 && !solids.are_near(lattice.place(i, j, k), distance)) {
+            put(lattice.place(i, j, k), region);
+        }
     }
 };
 
@@ -73,23 +92,23 @@ struct Owner {
 }
 
 /// Where the particles of each row begin, and after them all.
-std::vector<std::int64_t> count_rows(const Owner& owner, const FillLimit& limit) {
-    const Lattice& lattice = owner.lattice;
+std::vector<std::int64_t> count_rows(const Cells& cells, const FillLimit& limit) {
+    const Lattice& lattice = cells.lattice;
     const double places = static_cast<double>(lattice.counts[0]) * static_cast<double>(lattice.counts[1]) *
                           static_cast<double>(lattice.counts[2]);
     if (places > 64.0 * static_cast<double>(limit.most)) {
         refuse(fmt::format("the regions of water span about {:.3g} places of the lattice", places),
                fmt::format("particles are at most {}: use a larger spacing or tighter regions", limit.most));
     }
-    std::vector<std::int64_t> begin(at(lattice.rows() + 1), 0);
+    std::vector<std::int64_t> begin(at(cells.rows() + 1), 0);
     constexpr double stretch = 1 << 22;  // places between two looks at the limit: a slip in the spacing is told soon
     const double row_places = static_cast<double>(std::max<std::int64_t>(1, lattice.counts[0]));
     const std::int64_t rows_at_once = static_cast<std::int64_t>(stretch / row_places) + 1;
-    for (std::int64_t first = 0, counted = 0; first < lattice.rows(); first += rows_at_once) {
-        const std::int64_t past = std::min(lattice.rows(), first + rows_at_once);
+    for (std::int64_t first = 0, counted = 0; first < cells.rows(); first += rows_at_once) {
+        const std::int64_t past = std::min(cells.rows(), first + rows_at_once);
         parallel::for_each_uneven(past - first, 4, [&](std::int64_t nth) {
-            for (std::int64_t i = 0; i < lattice.counts[0]; ++i) {
-                begin[at(first + nth)] += owner(i, first + nth) < 0 ? 0 : 1;
+            for (std::int64_t i = 0; i < cells.row_length(); ++i) {
+                cells.visit(i, first + nth, [&](const Vec3&, int) { begin[at(first + nth)] += 1; });
             }
         });
         counted = std::accumulate(begin.begin() + first, begin.begin() + past, counted);
@@ -109,9 +128,11 @@ std::vector<std::int64_t> count_rows(const Owner& owner, const FillLimit& limit)
 
 }  // namespace
 
+double face_distance(const fluid::ParticleSettings& settings) { return (nearest - lattice_slack) * settings.spacing; }
+
 Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
              const fluid::ParticleSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
-             const FillLimit& limit) {
+             const FillLimit& limit, FillFaces faces) {
     Filling filling;
     filling.regions.resize(regions.size());
     std::vector<RegionPlanes> cut;
@@ -123,19 +144,26 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
     }
     filling.lattice_corner = lattice_corner(cut, settings.domain);
     const FillSolids solids(shapes, bodies, initial, settings.domain, settings.spacing);
-    const double distance = (nearest - lattice_slack) * settings.spacing;
+    const double distance = face_distance(settings);
     Lattice lattice = lattice_over(cut, settings, filling.lattice_corner, up);
-    const Owner owner{cut, lattice, solids, up, distance};
-    std::vector<std::int64_t> begin = count_rows(owner, limit);
-    if (raise_to_volume(cut, settings, filling.lattice_corner, solids, up, distance, filling.regions)) {
+    CutCells at_faces;
+    const Cells cells{cut, lattice, solids, up, distance, at_faces};
+    std::vector<std::int64_t> begin = count_rows(cells, limit);
+    if (faces == FillFaces::fitted) {
+        at_faces = CutCells(lattice, cut, solids, settings, up, distance);
+    }
+    if (!at_faces.empty()) {
+        begin = count_rows(cells, limit);
+        measure_rooms(cut, settings, filling.lattice_corner, solids, up, distance, filling.regions);
+        filling.misfits.assign(at_faces.misfits().begin(), at_faces.misfits().end());
+        filling.air = at_faces.air(packed_depth(settings) + 2 * settings.support_radius());
+    } else if (raise_to_volume(cut, settings, filling.lattice_corner, solids, up, distance, filling.regions)) {
         lattice = lattice_over(cut, settings, filling.lattice_corner, up);
-        begin = count_rows(owner, limit);
+        begin = count_rows(cells, limit);
     }
     place_particles(filling, begin, settings, regions, [&](std::int64_t row, const auto& put) {
-        for (std::int64_t i = 0; i < lattice.counts[0]; ++i) {
-            if (const int region = owner(i, row); region >= 0) {
-                put(lattice.place(i, row % lattice.counts[1], row / lattice.counts[1]), region);
-            }
+        for (std::int64_t i = 0; i < cells.row_length(); ++i) {
+            cells.visit(i, row, put);
         }
     });
     return filling;

@@ -43,7 +43,15 @@ struct Filling {
     fluid::ParticleState particles;
     std::vector<std::int8_t> region;  ///< of each particle
     std::vector<FillReport> regions;  ///< one per region
+    std::vector<Vec3> misfits;        ///< middles of cells of water that a face cuts; empty where the lattice fits [m]
+    std::vector<Vec3> air;            ///< places of the lattice beside the water, near these cells [m]
     Vec3 lattice_corner{};  ///< low corner of a cell of the lattice; particles start in the middle of cells [m]
+};
+
+/// Places of particles beside faces that the lattice does not follow.
+enum class FillFaces : std::uint8_t {
+    lattice,  ///< those of the lattice that keep their distance
+    fitted,   ///< as many as there is room for (fill_faces.hpp), to be packed (pack.hpp)
 };
 
 /// Height along `up` at which a region ends, whatever its level [m].
@@ -56,6 +64,9 @@ double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3&
 /// bodies count too. The last layer is raised by what is left out beside solids, so that the volume is that below the
 /// level (fill_level.hpp). Particles get the ids 0, 1, ... along the lattice, x fastest.
 ///
+/// With FillFaces::fitted cells that faces cut are filled by the share of them that is free, in place of a raised
+/// layer; a scene in which no face cuts a cell of water has the same places either way.
+///
 /// Density is that of rest without pressure: see set_hydrostatic_density.
 /// @param up     unit vector against gravity, along which levels count
 /// Places are counted before memory is taken for them.
@@ -64,7 +75,7 @@ double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3&
 /// not a whole number of spacings
 Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
              const fluid::ParticleSettings& settings, const Vec3& up, std::span<const FillRegion> regions,
-             const FillLimit& limit);
+             const FillLimit& limit, FillFaces faces = FillFaces::lattice);
 
 /// Gives every particle the density of rest under gravity g: p = rho_0 |g| d at depth d below the surface of its
 /// region (its level or else its highest point), through the state equation of `settings`.

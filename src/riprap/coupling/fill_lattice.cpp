@@ -135,23 +135,25 @@ Lattice lattice_over(std::span<const RegionPlanes> regions, const fluid::Particl
     return lattice;
 }
 
-double share_of(const RegionPlanes& region, const Lattice& lattice, const Vec3& up, std::int64_t i, std::int64_t j,
-                std::int64_t k) {
-    const Vec3 x = lattice.place(i, j, k);
+namespace {
+
+/// The share of cell (i, j, k) below the surface; 0 where `place`, or what is beneath it in a last layer, is outside.
+double share_with(const RegionPlanes& region, const Lattice& lattice, const Vec3& up, const Vec3& middle,
+                  const Vec3& place) {
     const double slack = lattice_slack * lattice.spacing;
-    const double below = (region.surface - dot(up, x)) / lattice.spacing + 0.5;
+    const double below = (region.surface - dot(up, middle)) / lattice.spacing + 0.5;
     const bool is_last = below < 1 - lattice_slack;
     const bool is_along_axis = std::max({std::abs(up.x), std::abs(up.y), std::abs(up.z)}) > aligned;
     if (is_last && !(is_along_axis && below > least_layer)) {
         return 0;
     }
     // A last layer alone would be a film; it lies on a whole one.
-    const Vec3 beneath = is_last ? x - lattice.spacing * up : x;
+    const Vec3 beneath = is_last ? place - lattice.spacing * up : place;
     for (const auto& planes : region.pieces) {
         const bool is_inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
             const bool is_level = is_last && dot(plane.normal, up) > aligned;
-            return is_level ||
-                   (dot(plane.normal, x) <= plane.offset - slack && dot(plane.normal, beneath) <= plane.offset - slack);
+            return is_level || (dot(plane.normal, place) <= plane.offset - slack &&
+                                dot(plane.normal, beneath) <= plane.offset - slack);
         });
         if (is_inside) {
             return is_last ? below : 1;
@@ -160,15 +162,38 @@ double share_of(const RegionPlanes& region, const Lattice& lattice, const Vec3& 
     return 0;
 }
 
-int region_of(std::span<const RegionPlanes> regions, const Lattice& lattice, const Vec3& up, std::int64_t i,
-              std::int64_t j, std::int64_t k) {
+/// The first region of whose share a cell has its turn; -1 = none.
+template <class Share>
+int region_by(std::span<const RegionPlanes> regions, const Vec3& up, std::int64_t i, std::int64_t j, std::int64_t k,
+              const Share& share) {
     const double turn = std::abs(up.x) > 0.5 ? turn_of(j, k) : std::abs(up.y) > 0.5 ? turn_of(i, k) : turn_of(i, j);
     for (std::size_t r = 0; r < regions.size(); ++r) {
-        if (turn < share_of(regions[r], lattice, up, i, j, k)) {
+        if (turn < share(regions[r])) {
             return static_cast<int>(r);
         }
     }
     return -1;
+}
+
+}  // namespace
+
+double share_of(const RegionPlanes& region, const Lattice& lattice, const Vec3& up, std::int64_t i, std::int64_t j,
+                std::int64_t k) {
+    const Vec3 x = lattice.place(i, j, k);
+    return share_with(region, lattice, up, x, x);
+}
+
+int region_of(std::span<const RegionPlanes> regions, const Lattice& lattice, const Vec3& up, std::int64_t i,
+              std::int64_t j, std::int64_t k) {
+    return region_by(regions, up, i, j, k,
+                     [&](const RegionPlanes& region) { return share_of(region, lattice, up, i, j, k); });
+}
+
+int region_beside(std::span<const RegionPlanes> regions, const Lattice& lattice, const Vec3& up, std::int64_t i,
+                  std::int64_t j, std::int64_t k, const Vec3& place) {
+    return region_by(regions, up, i, j, k, [&](const RegionPlanes& region) {
+        return share_with(region, lattice, up, lattice.place(i, j, k), place);
+    });
 }
 
 double top_of(const FillRegion& region, const fluid::Domain& domain, const Vec3& up) {

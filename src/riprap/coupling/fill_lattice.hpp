@@ -15,6 +15,9 @@ namespace riprap::coupling {
 
 constexpr double lattice_slack = 1e-6;  ///< of a spacing: a lattice that fits is not lost to round-off
 
+/// Distance that places keep from faces [m].
+double face_distance(const fluid::ParticleSettings& settings);
+
 struct Bounds {
     Vec3 low, high;
 };
@@ -62,5 +65,10 @@ double share_of(const RegionPlanes& region, const Lattice& lattice, const Vec3& 
 /// volume is the one asked for. Solids are not asked.
 int region_of(std::span<const RegionPlanes> regions, const Lattice& lattice, const Vec3& up, std::int64_t i,
               std::int64_t j, std::int64_t k);
+
+/// The first region that a particle of cell (i, j, k) is in which stands at `place` beside a solid: the cell is below
+/// its surface as region_of() has it, and the place between its other faces; -1 = none.
+int region_beside(std::span<const RegionPlanes> regions, const Lattice& lattice, const Vec3& up, std::int64_t i,
+                  std::int64_t j, std::int64_t k, const Vec3& place);
 
 }  // namespace riprap::coupling

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "riprap/core/parallel.hpp"
 
@@ -57,23 +59,6 @@ struct Survey {
         }
         return false;
     }
-    /// Share of a cell that lies in no solid.
-    double free_share(std::int64_t i, std::int64_t j, std::int64_t k) const {
-        const int across = dimension == 3 ? 4 : 8;
-        const int deep = dimension == 3 ? 4 : 1;
-        const Vec3 shift{shift_of(i, j, k, 0), shift_of(i, j, k, 1), shift_of(i, j, k, 2)};
-        const auto offset = [&](int n, int axis) { return ((n + shift[axis]) / across - 0.5) * lattice.spacing; };
-        int free = 0;
-        for (int c = 0; c < deep; ++c) {
-            for (int b = 0; b < across; ++b) {
-                for (int a = 0; a < across; ++a) {
-                    const Vec3 from{offset(a, 0), offset(b, 1), dimension == 3 ? offset(c, 2) : 0};
-                    free += solids.contain(lattice.place(i, j, k) + from) ? 0 : 1;
-                }
-            }
-        }
-        return free / 64.0;
-    }
     /// Share of a cell that water reaches.
     double reached(std::int64_t i, std::int64_t j, std::int64_t k) const {
         const Vec3 x = lattice.place(i, j, k);
@@ -81,7 +66,9 @@ struct Survey {
         if (!solids.are_near(x, half_diagonal)) {
             return 1;
         }
-        return !solids.are_near(x, distance) || has_open_neighbour(i, j, k) ? free_share(i, j, k) : 0;
+        return !solids.are_near(x, distance) || has_open_neighbour(i, j, k)
+                   ? CellPoints(solids, lattice, dimension, i, j, k).free_share()
+                   : 0;
     }
     void add_room(std::int64_t i, std::int64_t j, std::int64_t k, std::span<double> room) const {
         double taken = 0, cell = -1;
@@ -139,6 +126,53 @@ std::vector<Count> count_places(const Survey& survey) {
 
 }  // namespace
 
+CellPoints::CellPoints(const FillSolids& solids, const Lattice& lattice, int dimension, std::int64_t i, std::int64_t j,
+                       std::int64_t k)
+    : across(dimension == 3 ? 4 : 8), deep(dimension == 3 ? 4 : 1) {
+    const Vec3 shift{shift_of(i, j, k, 0), shift_of(i, j, k, 1), shift_of(i, j, k, 2)};
+    const auto offset = [&](int n, int axis) { return ((n + shift[axis]) / across - 0.5) * lattice.spacing; };
+    std::size_t n = 0;
+    for (int c = 0; c < deep; ++c) {
+        for (int b = 0; b < across; ++b) {
+            for (int a = 0; a < across; ++a, ++n) {
+                point[n] = lattice.place(i, j, k) + Vec3{offset(a, 0), offset(b, 1), dimension == 3 ? offset(c, 2) : 0};
+                is_free[n] = !solids.contain(point[n]);
+            }
+        }
+    }
+}
+
+double CellPoints::free_share() const { return static_cast<double>(std::ranges::count(is_free, true)) / 64.0; }
+
+double CellPoints::share_about(const Vec3& place) const {
+    std::array<bool, 64> is_open = is_free;
+    std::vector<int> joined;
+    double least = std::numeric_limits<double>::infinity();
+    for (int n = 0; n < 64; ++n) {
+        if (const double squared = norm_squared(point[at(n)] - place); is_free[at(n)] && squared < least) {
+            least = squared;
+            joined = {n};
+        }
+    }
+    for (std::size_t next = 0; next < joined.size(); ++next) {
+        const int n = joined[next], a = n % across, b = n / across % across, c = n / (across * across);
+        is_open[at(n)] = false;
+        const auto join = [&](int to, bool is_within) {
+            if (is_within && is_open[at(to)]) {
+                is_open[at(to)] = false;
+                joined.push_back(to);
+            }
+        };
+        join(n - 1, a > 0);
+        join(n + 1, a + 1 < across);
+        join(n - across, b > 0);
+        join(n + across, b + 1 < across);
+        join(n - across * across, c > 0);
+        join(n + across * across, c + 1 < deep);
+    }
+    return static_cast<double>(joined.size()) / 64.0;
+}
+
 bool raise_to_volume(std::span<RegionPlanes> regions, const fluid::ParticleSettings& settings, const Vec3& corner,
                      const FillSolids& solids, const Vec3& up, double distance, std::span<FillReport> reports) {
     const double dp = settings.spacing;
@@ -180,6 +214,16 @@ bool raise_to_volume(std::span<RegionPlanes> regions, const fluid::ParticleSetti
         has_moved = has_moved || best[r] != 0;
     }
     return has_moved;
+}
+
+void measure_rooms(std::span<const RegionPlanes> regions, const fluid::ParticleSettings& settings, const Vec3& corner,
+                   const FillSolids& solids, const Vec3& up, double distance, std::span<FillReport> reports) {
+    const Lattice lattice = lattice_over(regions, settings, corner, up);
+    const int dimension = settings.domain.dimension;
+    const std::vector<double> rooms = measure_room(Survey{regions, lattice, solids, up, distance, dimension});
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+        reports[r].room = rooms[r] * std::pow(settings.spacing, dimension);
+    }
 }
 
 }  // namespace riprap::coupling

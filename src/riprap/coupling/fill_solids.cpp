@@ -115,15 +115,53 @@ bool FillSolids::are_near(const Vec3& x, double distance) const {
             return true;
         }
     }
+    return is_any(x, [&](const Placed& part) { return is_near(part, x, distance); });
+}
+
+bool FillSolids::thin_are_near(const Vec3& x, double distance, double thickness) const {
     return is_any(x, [&](const Placed& part) {
+        return 2 * part.shape.inscribed_radius < thickness && is_near(part, x, distance);
+    });
+}
+
+bool FillSolids::is_near(const Placed& part, const Vec3& x, double distance) {
+    const double reach = part.shape.circumradius + distance;
+    if (norm_squared(x - part.pose.position) > reach * reach) {
+        return false;
+    }
+    const Vec3 local = to_body(part.pose, x);
+    return geometry::depth_below_faces(part.shape, local) > -distance &&
+           geometry::closest_surface_point(part.shape, local).distance < distance;
+}
+
+Vec3 FillSolids::push_out(const Vec3& x, double distance) const {
+    double least = distance;
+    Vec3 place = x;
+    for (std::size_t g = 0; g < grounds_.size(); ++g) {
+        const Vec3 local = to_body(poses_[g], x);
+        const auto surface = grounds_[g].field.nearest(local, farthest_);
+        if (surface && surface->distance < least) {
+            least = surface->distance;
+            place = x + (distance - surface->distance) * rotate(poses_[g].orientation, surface->normal);
+        }
+    }
+    is_any(x, [&](const Placed& part) {
         const double reach = part.shape.circumradius + distance;
         if (norm_squared(x - part.pose.position) > reach * reach) {
             return false;
         }
         const Vec3 local = to_body(part.pose, x);
-        return geometry::depth_below_faces(part.shape, local) > -distance &&
-               geometry::closest_surface_point(part.shape, local).distance < distance;
+        if (geometry::depth_below_faces(part.shape, local) <= -distance) {
+            return false;
+        }
+        const geometry::SurfacePoint surface = geometry::closest_surface_point(part.shape, local);
+        if (surface.distance < least) {
+            least = surface.distance;
+            place = to_world(part.pose, surface.point + distance * surface.normal);
+        }
+        return false;
     });
+    return place;
 }
 
 }  // namespace riprap::coupling

@@ -23,6 +23,11 @@ class FillSolids {
     bool contain(const Vec3& x) const;
     /// True inside of a solid, and outside where a surface is less than `distance` away [m].
     bool are_near(const Vec3& x, double distance) const;
+    /// The same, of solids thinner than `thickness` alone: whose largest ball has that diameter [m].
+    bool thin_are_near(const Vec3& x, double distance, double thickness) const;
+    /// The place next to x that is `distance` away from the solid which x lies deepest in or nearest to; x itself where
+    /// none is so near [m].
+    Vec3 push_out(const Vec3& x, double distance) const;
 
  private:
     struct Placed {
@@ -31,6 +36,7 @@ class FillSolids {
     };
     void add_images(const fluid::Domain& domain);
     void sort_into_cells();
+    static bool is_near(const Placed& part, const Vec3& x, double distance);
     template <class Is>
     bool is_any(const Vec3& x, const Is& is) const;
 

@@ -11,7 +11,7 @@ void begin_with_pressure(const MpsSettings& settings, std::int64_t first, Partic
     }
     for (std::size_t i = 0; i < state.density.size(); ++i) {
         if (state.id[i] >= first) {
-            state.dilution[i] =
+            state.dilution[i] +=
                 settings.compressibility / settings.relaxation * pressure_of(settings, state.density[i]);
         }
     }

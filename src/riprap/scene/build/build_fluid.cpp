@@ -12,6 +12,7 @@
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fill.hpp"
+#include "riprap/coupling/pack.hpp"
 #include "riprap/coupling/samples/sample_shapes.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/fluid_tables.hpp"
@@ -112,16 +113,24 @@ bool place_particles(CaseBuild& build, const Value& table, const std::vector<cou
     for (std::size_t b = 0; b < build.sticks.size(); ++b) {
         is_slippery[b] = build.sticks[b] != 0 ? 0 : 1;
     }
+    const bool has_samples = fluid.wall == coupling::WallTreatment::boundary_particles;
     bool is_good = place_problems(build, get(table, "region"), [&] {
         filling =
-            coupling::fill(shapes, bodies, build.state.bodies, fluid.settings(), build.up(), regions, most_particles());
+            coupling::fill(shapes, bodies, build.state.bodies, fluid.settings(), build.up(), regions, most_particles(),
+                           has_samples ? coupling::FillFaces::fitted : coupling::FillFaces::lattice);
     });
-    if (is_good && fluid.wall == coupling::WallTreatment::boundary_particles) {
+    if (is_good && has_samples) {
         is_good = place_problems(build, table, [&] {
             fluid.samples = coupling::sample_shapes(
                 shapes, bodies, build.state.bodies,
                 {fluid.settings().spacing, fluid.settings().support_radius(), fluid.settings().domain,
                  filling.lattice_corner, limits::particles, fluid.is_dry, is_slippery});
+            coupling::Packed packed =
+                coupling::pack(shapes, bodies, build.state.bodies, fluid.settings(), fluid.samples, filling);
+            const auto* const mps = std::get_if<fluid::MpsSettings>(&fluid.scheme);
+            if (mps != nullptr && mps->divergence_share > 0) {  // the density of its water is the count
+                filling.particles.dilution = std::move(packed.lack);
+            }
         });
     }
     return is_good;
