@@ -15,10 +15,6 @@ void begin_forces(const WcmpsSettings& settings, const ParticleState& state, con
 void load_walls(const WcmpsSettings& settings, const ParticleState& state, BoundaryParticles& walls,
                 const Vec3& gravity, WcmpsScratchData& scratch);
 
-/// Power that compression takes up beyond what the forces of averaged walls do, as their openings leave out how water
-/// slides along faces [W].
-double slip_power(const WcmpsSettings& settings, const WcmpsScratchData& scratch);
-
 /// Adds the sums of MpsMomentumFromWalls and makes forces [N], heat [W] and grad C [1/m] of all sums.
 void add_walls(const WcmpsSettings& settings, const ParticleState& state, const BoundaryParticles& walls,
                WcmpsScratchData& scratch);
