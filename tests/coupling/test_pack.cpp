@@ -44,18 +44,20 @@ struct Tank : test::Scene {
         }
     }
     /// The region spans the tank whatever stands in it.
-    Filling filled(FillFaces faces = FillFaces::fitted) const {
+    FillRegion region() const {
         const bool is_planar = bodies.is_planar;
         const Vec3 low{0, 0, is_planar ? -0.5 : 0}, high{1, 1, is_planar ? 0.5 : 0.6};
-        const FillRegion region{{geometry::moved(geometry::box(high - low), {0.5 * (low + high), {}})}, level};
-        return fill(shapes, bodies, state, settings, up, std::vector<FillRegion>{region}, {1'000'000, 1'000'000},
+        return {{geometry::moved(geometry::box(high - low), {0.5 * (low + high), {}})}, level};
+    }
+    Filling filled(FillFaces faces = FillFaces::fitted) const {
+        return fill(shapes, bodies, state, settings, up, std::vector<FillRegion>{region()}, {1'000'000, 1'000'000},
                     faces);
     }
     Packed packed(Filling& filling) const {
         const SampleSet samples =
             sample_shapes(shapes, bodies, state,
                           {dp, settings.support_radius(), settings.domain, filling.lattice_corner, 1'000'000, {}, {}});
-        return pack(shapes, bodies, state, settings, samples, filling);
+        return pack(shapes, bodies, state, settings, samples, std::vector<FillRegion>{region()}, filling);
     }
     double nearest_face(const Vec3& x) const {
         double nearest = 1;

@@ -146,6 +146,17 @@ bool is_between(const FillSolids& solids, const Vec3& a, const Vec3& b, double s
     return false;
 }
 
+/// Tells whether x lies in a piece of a region, or in the domain where it names none.
+bool is_in(const FillRegion& region, const fluid::Domain& domain, const Vec3& x) {
+    return region.pieces.empty() ? domain.admits(x)
+                                 : std::ranges::any_of(region.pieces, [&](const geometry::Polyhedron& piece) {
+                                       return std::ranges::all_of(piece.faces, [&](const auto& face) {
+                                           const geometry::Plane plane = geometry::face_plane(piece.vertices, face);
+                                           return dot(plane.normal, x) <= plane.offset;
+                                       });
+                                   });
+}
+
 /// Where a particle may stand that was packed at x: as far from faces as at the start, and on its side of them.
 Vec3 clear_of_faces(const FillSolids& solids, const fluid::ParticleSettings& settings, const Vec3& start, Vec3 x) {
     const double distance = face_distance(settings);
@@ -161,7 +172,8 @@ Vec3 clear_of_faces(const FillSolids& solids, const fluid::ParticleSettings& set
 double packed_depth(const fluid::ParticleSettings& settings) { return depth * settings.spacing; }
 
 Packed pack(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
-            const fluid::ParticleSettings& settings, const SampleSet& samples, Filling& filling) {
+            const fluid::ParticleSettings& settings, const SampleSet& samples, std::span<const FillRegion> regions,
+            Filling& filling) {
     std::vector<Vec3>& position = filling.particles.position;
     Packed packed;
     packed.lack.assign(position.size(), 0);
@@ -206,7 +218,10 @@ Packed pack(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const
     parallel::for_each_uneven(static_cast<std::int64_t>(in_water), 64, [&](std::int64_t m) {
         const std::size_t n = moving[at(m)];
         Vec3& x = position[water[n]];
-        x = images.nearest(clear_of_faces(solids, settings, x, images.nearest(crowd.place[n], x)), middle);
+        const FillRegion& region = regions[static_cast<std::size_t>(filling.region[water[n]])];
+        const Vec3 packed_at = clear_of_faces(solids, settings, x, images.nearest(crowd.place[n], x));
+        const bool left = is_in(region, settings.domain, x) && !is_in(region, settings.domain, packed_at);
+        x = left ? x : images.nearest(packed_at, middle);
         crowd.place[n] = x;
     });
     const double full = crowd.lattice_count();

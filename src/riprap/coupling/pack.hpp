@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
@@ -33,10 +34,12 @@ struct Packed {
 /// zero an even pressure holds its particles at rest, in every scheme. Boundary particles count with their volumes and
 /// stay. So does the air beside the water (Filling::air), but for what is near both water and such a face, which moves
 /// like water: the surface stays where it is. What comes nearer to a face than `fill` allows is put back to that
-/// distance, and what went through a thin wall to where it began.
+/// distance, and what went through a thin wall or out of its region to where it
+/// began: openings are at the edges of regions.
 ///
 /// Differs from the source: the lattice stays where it fits, and moves keep a share of the last one in place of a drag.
 Packed pack(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,
-            const fluid::ParticleSettings& settings, const SampleSet& samples, Filling& filling);
+            const fluid::ParticleSettings& settings, const SampleSet& samples, std::span<const FillRegion> regions,
+            Filling& filling);
 
 }  // namespace riprap::coupling

@@ -126,7 +126,7 @@ bool place_particles(CaseBuild& build, const Value& table, const std::vector<cou
                 {fluid.settings().spacing, fluid.settings().support_radius(), fluid.settings().domain,
                  filling.lattice_corner, limits::particles, fluid.is_dry, is_slippery});
             coupling::Packed packed =
-                coupling::pack(shapes, bodies, build.state.bodies, fluid.settings(), fluid.samples, filling);
+                coupling::pack(shapes, bodies, build.state.bodies, fluid.settings(), fluid.samples, regions, filling);
             const auto* const mps = std::get_if<fluid::MpsSettings>(&fluid.scheme);
             if (mps != nullptr && mps->divergence_share > 0) {  // the density of its water is the count
                 filling.particles.dilution = std::move(packed.lack);
