@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/fill_lattice.hpp"
@@ -16,12 +17,17 @@ namespace riprap::coupling {
 
 namespace {
 
-constexpr double depth = 5;       ///< packed_depth() over dp
-constexpr int sweeps = 500;       ///< at most
-constexpr double even = 1e-4;     ///< |sum V grad W| dp at which places are even
+constexpr double depth = 5;    ///< packed_depth() over dp
+constexpr int sweeps = 500;    ///< at most
+constexpr double even = 1e-4;  ///< |sum V grad W| dp at which places are even
+/// Places of a pocket too narrow for a particle never become even: sweeps end where of those that are not, this share
+/// is still so after as many sweeps.
+constexpr double gain = 0.9;
+constexpr int patience = 40;
 constexpr double keeps = 0.9;     ///< share of its last move that a particle goes on with
 constexpr double pull = 1.5;      ///< move over that which ends the stiffest wave of the lattice at once
 constexpr double longest = 0.1;   ///< move over dp
+constexpr double slack = 0.15;    ///< of lists of neighbours, beyond the support [-]
 constexpr double looks = 8;       ///< for solid on the way of a particle, in a spacing
 constexpr int faces_at_once = 3;  ///< that may meet in a corner
 
@@ -34,6 +40,7 @@ class Crowd {
         : settings_(settings),
           kernel_(settings.smoothing_length(), settings.domain.dimension),
           image_(settings.domain),
+          is_periodic_(std::ranges::any_of(settings.domain.is_periodic, [](bool repeats) { return repeats; })),
           reach_(settings.support_radius()),
           volume_(std::pow(settings.spacing, settings.domain.dimension)) {}
 
@@ -45,10 +52,32 @@ class Crowd {
     }
     void sort_walls() {
         if (!wall_place_.empty()) {
-            walls_.build(wall_place_, settings_.domain, reach_);
+            walls_.build(wall_place_, settings_.domain, (1 + slack) * reach_);
         }
     }
     void sort() { grid_.build(place, settings_.domain, reach_); }
+
+    /// Notes what may come within the support of some places while none moves by more than half of the slack.
+    void list_near(const std::vector<std::size_t>& of) {
+        const double far = (1 + slack) * reach_;
+        grid_.build(place, settings_.domain, far);
+        std::vector<std::vector<Near>> rows(of.size());
+        parallel::for_each_uneven(static_cast<std::int64_t>(of.size()), 64, [&](std::int64_t m) {
+            const Vec3& x = place[of[at(m)]];
+            const auto add = [&](const Vec3& other, std::uint32_t number, bool is_wall) {
+                if (norm_squared(image_(x - other)) < far * far) {
+                    rows[at(m)].push_back({number, is_wall});
+                }
+            };
+            grid_.for_each_near(x, [&](std::int64_t j) { add(place[at(j)], static_cast<std::uint32_t>(j), false); });
+            if (!wall_place_.empty()) {
+                walls_.for_each_near(
+                    x, [&](std::int64_t w) { add(wall_place_[at(w)], static_cast<std::uint32_t>(w), true); });
+            }
+        });
+        near_ = std::move(rows);
+    }
+    double room() const { return 0.5 * slack * reach_; }  ///< that places may move before lists are made anew [m]
 
     /// sum V W [-]
     double count(std::size_t i) const {
@@ -56,10 +85,19 @@ class Crowd {
         for_each_near(i, [&](double v, const Vec3& d) { sum += v * kernel_.value(norm(d)); });
         return sum;
     }
-    /// sum V grad W [1/m]
-    Vec3 slope(std::size_t i) const {
+    /// sum V grad W at the place of row m of the lists [1/m]
+    Vec3 slope(std::size_t m, std::size_t i) const {
         Vec3 sum{};
-        for_each_near(i, [&](double v, const Vec3& d) { sum += v * kernel_.slope_over_r(norm(d)) * d; });
+        const Vec3 x = place[i];
+        const double reach_squared = reach_ * reach_;
+        for (const Near& near : near_[m]) {
+            const Vec3 apart = x - (near.is_wall ? wall_place_ : place)[near.number];
+            const Vec3 d = is_periodic_ ? image_(apart) : apart;
+            if (const double squared = norm_squared(d); squared < reach_squared) {
+                const double v = near.is_wall ? wall_volume_[near.number] : volume_;
+                sum += v * kernel_.slope_over_r(std::sqrt(squared)) * d;
+            }
+        }
         return fluid::in_plane(sum, settings_.domain);
     }
     /// sum V W on the lattice [-]
@@ -100,10 +138,17 @@ class Crowd {
     const fluid::ParticleSettings& settings_;
     fluid::WendlandC2 kernel_;
     fluid::NearestImage image_;
+    bool is_periodic_;
     double reach_, volume_;
     std::vector<Vec3> wall_place_;
     std::vector<double> wall_volume_;
     fluid::CellGrid grid_, walls_;
+
+    struct Near {
+        std::uint32_t number;
+        bool is_wall;
+    };
+    std::vector<std::vector<Near>> near_;  ///< by row of the last list_near
 };
 
 /// Moves some places of a crowd until they are even.
@@ -114,24 +159,38 @@ void settle(const fluid::ParticleSettings& settings, const std::vector<std::size
     const fluid::MpsLattice lattice =
         fluid::mps_lattice(fluid::MpsWeightLaw::smooth, ratio, dp, settings.domain.dimension);
     const double per_slope = pull / (0.5 * lattice.wave_stiffness);  // which is that of pairs that count twice
-    std::vector<Vec3> move(moving.size()), slope(moving.size());
+    std::vector<Vec3> move(moving.size()), slope(moving.size()), listed(moving.size());
+    double left = std::numeric_limits<double>::infinity();  // sum of what is uneven when progress was looked at last
+    double moved = crowd.room();                            // from where the lists were made, at most [m]
     for (packed.sweeps = 0; packed.sweeps < sweeps; ++packed.sweeps) {
-        crowd.sort();
+        if (moved >= crowd.room()) {
+            crowd.list_near(moving);
+            for (std::size_t m = 0; m < moving.size(); ++m) {
+                listed[m] = crowd.place[moving[m]];
+            }
+        }
         parallel::for_each_uneven(static_cast<std::int64_t>(moving.size()), 64,
-                                  [&](std::int64_t m) { slope[at(m)] = crowd.slope(moving[at(m)]); });
+                                  [&](std::int64_t m) { slope[at(m)] = crowd.slope(at(m), moving[at(m)]); });
         packed.unevenness = 0;
+        double sum = 0;
         for (const Vec3& s : slope) {
             packed.unevenness = std::max(packed.unevenness, dp * norm(s));
+            sum += dp * norm(s);
         }
-        if (packed.unevenness < even) {
+        const bool is_look = packed.sweeps % patience == patience - 1;
+        if (packed.unevenness < even || (is_look && sum > gain * left)) {
             return;
         }
+        left = is_look ? sum : left;
+        double most = 0;
         for (std::size_t m = 0; m < moving.size(); ++m) {
             move[m] = keeps * move[m] - per_slope * slope[m];
             const double length = norm(move[m]);
             move[m] *= length > longest * dp ? longest * dp / length : 1;
             crowd.place[moving[m]] += move[m];
+            most = std::max(most, norm(crowd.place[moving[m]] - listed[m]));
         }
+        moved = most;
     }
 }
 

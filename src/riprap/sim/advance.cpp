@@ -163,7 +163,7 @@ Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& c
     data.prediction.guess = last_accelerations(state.coupling);
     data.prediction.gained.assign(at(model.bodies.size()), {});
     data.prediction.moved.assign(at(model.bodies.size()), {});
-    begin_ways(state.coupling, at(model.bodies.size()), cycle.dt, data.prediction);
+    begin_ways(model, state, cycle.dt, data.prediction);
     for (std::int64_t k = 0; k < cycle.spans; ++k) {
         Outcome outcome = flow(model, state, fluid, cycle.span(k), data, spans.emplace_back(), report);
         if (!outcome.ok()) {

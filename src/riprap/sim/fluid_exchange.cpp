@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/sim/fluid_exchange.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "riprap/body/locks.hpp"
 #include "riprap/body/point_loads.hpp"
 #include "riprap/core/index.hpp"
@@ -9,6 +12,13 @@
 namespace riprap::sim {
 
 namespace {
+
+/// Acceleration over that of gravity whose change within a step walls make up for, at most [-]: a contact
+/// that takes up a weight changes it by no more. What an impact leaves out is nearly all of the way of the step, and
+/// walls would go on with the speed that the body lost: a blow.
+constexpr double most_catch_up = 1;
+
+Vec3 at_most(const Vec3& v, double size) { return norm(v) > size ? (size / norm(v)) * v : v; }
 
 void add(std::span<const body::Acceleration> velocity, body::Motion& motion) {
     for (std::size_t b = 0; b < velocity.size(); ++b) {
@@ -60,11 +70,16 @@ void note_gain(const Model& model, const State& state, const body::Loads& loads,
     }
 }
 
-void begin_ways(const coupling::CouplingState& coupling, std::size_t bodies, double dt, Prediction& prediction) {
-    prediction.way.assign(bodies, {});
+void begin_ways(const Model& model, const State& state, double dt, Prediction& prediction) {
+    const coupling::CouplingState& coupling = state.coupling;
+    prediction.way.assign(at(model.bodies.size()), {});
     prediction.catch_up.resize(coupling.missed_way.size());
     for (std::size_t b = 0; b < prediction.catch_up.size(); ++b) {
-        prediction.catch_up[b] = {coupling.missed_way[b] / dt, coupling.missed_turn[b] / dt};
+        const double speed = most_catch_up * 0.5 * dt * norm(model.gravity.at(state.time));
+        const Vec3& moments = model.bodies.principal_moments[b];
+        const double arm = std::sqrt(std::max({moments.x, moments.y, moments.z}) / model.bodies.mass[b]);
+        prediction.catch_up[b] = {at_most(coupling.missed_way[b] / dt, speed),
+                                  arm > 0 ? at_most(coupling.missed_turn[b] / dt, speed / arm) : Vec3{}};
     }
 }
 

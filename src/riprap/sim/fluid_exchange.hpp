@@ -30,7 +30,7 @@ void predict_middle(const Model& model, const TimeSpan& span, Prediction& predic
 void note_gain(const Model& model, const State& state, const body::Loads& loads, double dt, Prediction& prediction);
 
 /// Begins the ways of a step of length dt: the fluid has seen none yet, and has the last step to catch up with.
-void begin_ways(const coupling::CouplingState& coupling, std::size_t bodies, double dt, Prediction& prediction);
+void begin_ways(const Model& model, const State& state, double dt, Prediction& prediction);
 /// Adds the way of a span of length dt as the fluid saw it.
 void note_way(double dt, Prediction& prediction);
 /// Notes what the fluid did not see of the step that took free bodies from `before` to the State: an impact within the
