@@ -9,6 +9,8 @@
 #include "riprap/run/ledger_verdict.hpp"
 #include "riprap/run/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
+#include "riprap/sim/fluid_exchange.hpp"
+#include "riprap/sim/scratch_data.hpp"
 
 namespace riprap::run {
 namespace {
@@ -92,6 +94,28 @@ TEST_P(WaterUnderALid, works_along_the_way_that_the_lid_went) {
     const sim::Ledger ledger = ledger_after(GetParam());
     EXPECT_LT(std::abs(ledger.fluid.coupling_gap), GetParam().most * ledger.turnover);
     EXPECT_GT(ledger.turnover, 1);  // [J/m]
+}
+
+// More is what an impact within a step leaves out: walls that made up for that went on with the speed that the body
+// lost.
+TEST(WaysThatWallsMissed, AreMadeUpForByNoMoreThanGravityDoesInAStep) {
+    scene::LoadedCase loaded = scene::read_case_text(
+        fmt::format(fmt::runtime(tank), 0.1, "distance_potential_dem", "mps", "box = [0.4, 0.3]", 0.5, 1900),
+        "case.toml", ".");
+    sim::initialise(loaded.model, loaded.state);
+    constexpr double dt = 1e-3, most = 0.5 * 9.81 * dt;  // [s], [m/s]
+    sim::Prediction prediction;
+    const auto catch_up = [&](double way, double turn) {
+        loaded.state.coupling.missed_way[3] = {0, way, 0};
+        loaded.state.coupling.missed_turn[3] = {0, 0, turn};
+        begin_ways(loaded.model, loaded.state, dt, prediction);
+        return prediction.catch_up[3];
+    };
+    const body::Acceleration small = catch_up(0.5 * most * dt, most * dt), large = catch_up(1, 1);
+    EXPECT_NEAR(small.linear.y, 0.5 * most, 1e-12);
+    EXPECT_NEAR(small.angular.z, most, 1e-12);
+    EXPECT_NEAR(large.linear.y, most, 1e-12);
+    EXPECT_NEAR(large.angular.z * std::hypot(0.4, 0.3) / std::sqrt(12.0), most, 1e-12);  // by the radius of gyration
 }
 
 // The rate at which a block rang at mid-step counted as work that walls never did: 1.1e-3 for a disc in sph.

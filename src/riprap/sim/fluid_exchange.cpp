@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/sim/fluid_exchange.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "riprap/body/locks.hpp"
@@ -76,10 +75,11 @@ void begin_ways(const Model& model, const State& state, double dt, Prediction& p
     prediction.catch_up.resize(coupling.missed_way.size());
     for (std::size_t b = 0; b < prediction.catch_up.size(); ++b) {
         const double speed = most_catch_up * 0.5 * dt * norm(model.gravity.at(state.time));
-        const Vec3& moments = model.bodies.principal_moments[b];
-        const double arm = std::sqrt(std::max({moments.x, moments.y, moments.z}) / model.bodies.mass[b]);
-        prediction.catch_up[b] = {at_most(coupling.missed_way[b] / dt, speed),
-                                  arm > 0 ? at_most(coupling.missed_turn[b] / dt, speed / arm) : Vec3{}};
+        const Vec3 &way = coupling.missed_way[b], &turn = coupling.missed_turn[b];
+        const Vec3 carried =
+            angular_momentum_of(model.bodies, BodyId{static_cast<std::int32_t>(b)}, state.bodies.orientation[b], turn);
+        const double arm = std::sqrt(dot(carried, turn) / (model.bodies.mass[b] * norm_squared(turn)));  // of gyration
+        prediction.catch_up[b] = {at_most(way / dt, speed), arm > 0 ? at_most(turn / dt, speed / arm) : Vec3{}};
     }
 }
 
