@@ -58,7 +58,8 @@ citation = "x + v t"
 )";
 
 std::vector<Result> results_of(const std::string& text) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "case_of_two_blocks";
+    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();  // others run beside it
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("two_blocks_" + test);
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "case.toml") << text;
     CaseReport report("two_blocks");

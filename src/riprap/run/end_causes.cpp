@@ -43,11 +43,12 @@ std::string carry_within_max_overlap(const Refused& refused) {
     return stiffness_advice(refused, share);
 }
 
-/// A step in which the two fastest bodies approach each other by solid::most_approach of the thinnest.
+/// Half of the step in which the two fastest bodies approach each other by solid::most_approach of the thinnest: their
+/// first touch, anywhere within a step, is then within what a ledger may miss.
 std::string step_that_sees(const Refused& refused) {
     const sim::Model& model = refused.model;
     const double approach = solid::fastest_approach(model.bodies, model.shapes, refused.before.bodies);
-    const double step = solid::most_approach * solid::smallest_radius(model.bodies, model.shapes) / approach;
+    const double step = 0.5 * solid::most_approach * solid::smallest_radius(model.bodies, model.shapes) / approach;
     return fmt::format("{} sees it, and \"auto\" chooses such a step", assignment_below("time_step", step));
 }
 

@@ -119,6 +119,9 @@ double made_from_nothing(const sim::Ledger& ledger, const sim::Model& model, con
     return std::max({-artificial, now, largest_rise(accounts, state.ledger)});
 }
 
+/// Share of all that there is that the first steps of methods that book over several steps may miss [-].
+constexpr double most_at_first = 0.5;
+
 /// What counts beside a residual, and what share of it the first steps may miss.
 struct Scale {
     double counted;    ///< [J]
@@ -129,9 +132,8 @@ Scale scale_of(const sim::Ledger& ledger, const sim::Model& model, const sim::St
     const double kinetic = ledger.kinetic + ledger.fluid.kinetic;
     const double counted = std::max({ledger.turnover, kinetic, grain_of(ledger, model),
                                      energy_of_driven_particle(model, state), is_first ? short_fall(model, state) : 0});
-    // What some methods dissipate is known over several steps only: before these are over no more can be missing than
-    // there is.
-    return {counted, is_first && !sim::books_every_step(model) ? std::max(1.0, model.output.ledger_tolerance)
+    // What some methods dissipate is known over several steps only: before these are over more can be missing.
+    return {counted, is_first && !sim::books_every_step(model) ? std::max(most_at_first, model.output.ledger_tolerance)
                                                                : model.output.ledger_tolerance};
 }
 
