@@ -69,6 +69,7 @@ struct Basin {
 
 inline MpsSettings mps_settings(int dimension, double spacing, double expected_speed) {
     MpsSettings settings;
+    settings.smoothing_ratio = 1.05;  // of the source: sums over the lattice have few terms, and can be written down
     settings.spacing = spacing;
     settings.sound_speed = 10 * expected_speed;
     settings.particle_mass = settings.rest_density * std::pow(spacing, dimension);

@@ -39,23 +39,26 @@ KeyList<S> pressure_keys() {
 MethodKeys<MpsSettings> MpsSettings::keys() {
     return {
         .help = "moving particle semi-implicit method",
-        .keys = particle_keys<S>() + mps_keys<S>() +
-                KeyList<S>{
-                    number(&S::smoothing_ratio, "smoothing_ratio", dimension::plain, between(1, 2),
-                           "Half the support radius over spacing; 1.05 is the support of 2.1 spacings of the source."),
-                    number(&S::kinematic_viscosity, "kinematic_viscosity", dimension::kinematic_viscosity,
-                           non_negative(), "Of the fluid."),
-                    number(&S::collision_distance, "collision_distance", dimension::plain, between(0, 1),
-                           "Share of the spacing below which particles collide; 0 = off."),
-                    number(&S::collision_ratio, "collision_ratio", dimension::plain, between(0, 1),
-                           "Speed of separation over speed of approach in such a collision.")
-                        .read_above("collision_distance", 0),
-                    number(&S::courant, "courant", dimension::plain, above(0, 1),
-                           "Share of the time that the fastest water needs through a spacing that a step may last."),
-                    integer(&S::sort_interval, "sort_interval", 1, 1e6,
-                            "Steps between sorts of the particles by place: part of the result, as sums follow the "
-                            "order.")} +
-                pressure_keys(),
+        .keys =
+            particle_keys<S>() + mps_keys<S>() +
+            KeyList<S>{
+                number(
+                    &S::smoothing_ratio, "smoothing_ratio", dimension::plain, between(1, 2),
+                    "Half the support radius over spacing; 1.05 is the support of 2.1 spacings of the source, two to "
+                    "four times as fast, by which light bodies rise too slowly."),
+                number(&S::kinematic_viscosity, "kinematic_viscosity", dimension::kinematic_viscosity, non_negative(),
+                       "Of the fluid."),
+                number(&S::collision_distance, "collision_distance", dimension::plain, between(0, 1),
+                       "Share of the spacing below which particles collide; 0 = off."),
+                number(&S::collision_ratio, "collision_ratio", dimension::plain, between(0, 1),
+                       "Speed of separation over speed of approach in such a collision.")
+                    .read_above("collision_distance", 0),
+                number(&S::courant, "courant", dimension::plain, above(0, 1),
+                       "Share of the time that the fastest water needs through a spacing that a step may last."),
+                integer(&S::sort_interval, "sort_interval", 1, 1e6,
+                        "Steps between sorts of the particles by place: part of the result, as sums follow the "
+                        "order.")} +
+            pressure_keys(),
         .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "sponge",
                        "inflow", "outflow"}};
 }

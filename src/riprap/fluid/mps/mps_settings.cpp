@@ -7,7 +7,7 @@
 namespace riprap::fluid {
 
 MpsSettings::MpsSettings() {
-    smoothing_ratio = 1.05;
+    smoothing_ratio = 1.55;
     courant = 0.2;
     state_equation = StateEquation::linear;
 }
