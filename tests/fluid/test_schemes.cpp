@@ -130,7 +130,7 @@ TEST(SchemeKeys, words_and_defaults_are_those_of_the_settings) {
     EXPECT_THAT(names(WcmpsSettings::keys().keys), ::testing::IsSupersetOf({"spacing", "courant", "shifting"}));
     EXPECT_THAT(names(MpsSettings::keys().keys), ::testing::IsSupersetOf({"spacing", "gradient", "tolerance"}));
     EXPECT_NEAR(WcmpsSettings().support_ratio(), 3.1, 1e-12);
-    EXPECT_NEAR(MpsSettings().support_ratio(), 2.1, 1e-12);
+    EXPECT_NEAR(MpsSettings().support_ratio(), 3.1, 1e-12);
 }
 
 }  // namespace

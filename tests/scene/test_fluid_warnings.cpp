@@ -177,8 +177,8 @@ TEST(FluidWarnings, water_as_shallow_as_the_support_of_its_particles) {
     EXPECT_THAT(warnings("0.15", "sph"), Contains(AllOf(HasSubstr("3 spacings deep"), HasSubstr("0.015 m"))));
     EXPECT_THAT(warnings("0.15", "wcmps"), Contains(HasSubstr("3 spacings deep")));
     EXPECT_THAT(warnings("0.2", "sph"), Not(Contains(HasSubstr("spacings deep"))));  // 3 of support and one
-    EXPECT_THAT(warnings("0.15", "mps"), Contains(HasSubstr("3 spacings deep")));    // 2.1 and one
-    EXPECT_THAT(warnings("0.2", "mps"), Not(Contains(HasSubstr("spacings deep"))));
+    EXPECT_THAT(warnings("0.2", "mps"), Contains(HasSubstr("4 spacings deep")));     // 3.1 and one
+    EXPECT_THAT(warnings("0.25", "mps"), Not(Contains(HasSubstr("spacings deep"))));
 }
 
 TEST(FluidWarnings, a_wave_lower_than_four_spacings) {
