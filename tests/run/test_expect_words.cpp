@@ -115,6 +115,7 @@ TEST(ExpectWords, AnAnswerThatNeedsAnEventThatNeverCameFails) {
                           "reported = true\n") +
                    expect("since", "quantity = 'time'\nminus = 'never'\nlow = -9.0\nhigh = 9.0\n"));
     EXPECT_EQ(results[1].verdict, run::Verdict::failed);
+    EXPECT_EQ(results[0].verdict, run::Verdict::failed) << "what is told must have come";
 }
 
 // At 0.1, 0.5 and 1 s the stone is at -0.05, -1.25 and -5 m; the points lie off by 0.1, 0.1 and -0.2 m.

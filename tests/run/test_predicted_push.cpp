@@ -42,7 +42,7 @@ struct Fall {
 };
 void PrintTo(const Fall& fall, std::ostream* out) { *out << fall.name; }
 
-/// How far the body goes beyond its meeting, at most [m].
+/// Returns how far the body goes beyond its meeting, at most [m].
 double sinks(const Fall& fall) {
     Simulation simulation(scene::read_case_text(fall.text, "case.toml", "."));
     const auto height = [&] {

@@ -130,6 +130,15 @@ TEST(CaseFiles, WhatIsOnlyToldIsUnderSpecified) {
     EXPECT_EQ(results[2].note, "no source");
 }
 
+TEST(CaseFiles, WhatIsOnlyToldAndNeverComesIsRed) {
+    const std::vector<Result> results =
+        results_of(two_blocks +
+                   "[[expect]]\nname = \"never\"\nquantity = \"time\"\nreduce = \"when\"\nwhen = \"time\"\n"
+                   "reaches = -1.0\nreported = true\ncitation = \"no source\"\n");
+    ASSERT_EQ(results.size(), 3U);
+    EXPECT_EQ(results[2].verdict, Verdict::not_reproduced);
+}
+
 TEST(CaseFiles, ALongRunIsLeftOutAndAVaryOfAKeyThatDoesNotExistIsRefused) {
     const std::vector<Result> results =
         results_of(two_blocks + "[[vary]]\nkey = \"end\"\nvalues = [1.0]\nfull = true\n");

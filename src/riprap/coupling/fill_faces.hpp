@@ -36,7 +36,7 @@ class CutCells {
     CutCells(const Lattice& lattice, std::span<const RegionPlanes> regions, const FillSolids& solids,
              const fluid::ParticleSettings& settings, const Vec3& up, double distance);
 
-    /// How far cells of water reach beyond the lattice [cells].
+    /// Returns how far cells of water reach beyond the lattice [cells].
     std::array<std::int64_t, 3> rim() const;
     /// Tells that no face cuts a cell of water: the lattice fits.
     bool empty() const { return misfits_.empty(); }

@@ -15,7 +15,7 @@ namespace riprap::coupling {
 /// Distance from the middle of a cell that a face cuts within which particles are packed: 5 dp [m].
 double packed_depth(const fluid::ParticleSettings& settings);
 
-/// What packing leaves.
+/// Tells what packing leaves.
 struct Packed {
     /// By how much the count of the neighbours of each particle, sum V W with itself, air and boundary particles, falls
     /// short of that of the lattice, over it [-]; 0 far from what was packed.

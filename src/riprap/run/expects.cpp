@@ -280,7 +280,7 @@ void ExpectWatch::look(const sim::Moment& moment) {
 
 std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
     std::vector<ExpectResult> results;
-    std::vector<bool> is_known;  // whether an answer has come; those that name it wait for it
+    std::vector<bool> is_known;  // whether an answer has come: those that name it wait for it
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const sim::Expect& expect = model_.expects[i];
         ExpectResult result{.name = expect.name,
@@ -306,7 +306,7 @@ std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
             is_due = is_due && is_known[static_cast<std::size_t>(expect.over)];
         }
         is_known.push_back(is_due);
-        if (at_end && is_due && expect.is_reported) {
+        if (at_end && is_due && expect.is_reported && !std::isnan(result.value)) {
             result.verdict = Verdict::reported;
         } else if (at_end && is_due) {
             const bool is_within = expect.low <= result.value && result.value <= expect.high;  // false for NaN

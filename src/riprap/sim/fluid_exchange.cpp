@@ -73,8 +73,8 @@ void begin_ways(const Model& model, const State& state, double dt, Prediction& p
     const coupling::CouplingState& coupling = state.coupling;
     prediction.way.assign(at(model.bodies.size()), {});
     prediction.catch_up.resize(coupling.missed_way.size());
+    const double speed = most_catch_up * 0.5 * dt * norm(model.gravity.at(state.time));
     for (std::size_t b = 0; b < prediction.catch_up.size(); ++b) {
-        const double speed = most_catch_up * 0.5 * dt * norm(model.gravity.at(state.time));
         const Vec3 &way = coupling.missed_way[b], &turn = coupling.missed_turn[b];
         const Vec3 carried =
             angular_momentum_of(model.bodies, BodyId{static_cast<std::int32_t>(b)}, state.bodies.orientation[b], turn);

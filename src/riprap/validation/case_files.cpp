@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -113,9 +115,12 @@ void report_answer(const scene::Value& expect, const json& found, const std::str
     Reference reference;
     reference.quantity = found.at("name").get<std::string>() + (label.empty() ? "" : "; " + label);
     reference.unit = found.at("unit").get<std::string>();
-    const double low = found.at("low").get<double>(), high = found.at("high").get<double>();
-    const json& number = found.at("value");
-    const double value = number.is_number() ? number.get<double>() : std::nan("");
+    const auto number = [&found](const char* key, double otherwise) {
+        const json& given = found.at(key);  // null: not finite
+        return given.is_number() ? given.get<double>() : otherwise;
+    };
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double low = number("low", -infinity), high = number("high", infinity), value = number("value", std::nan(""));
     if (const scene::Value* exact = expect.find("value")) {
         reference.exact = exact->as_number();
     }

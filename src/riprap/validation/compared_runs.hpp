@@ -14,7 +14,7 @@
 
 namespace riprap::validation {
 
-/// What one run of a case answered.
+/// Keeps what one run of a case answered.
 struct RunAnswers {
     struct Answer {
         double value{0};

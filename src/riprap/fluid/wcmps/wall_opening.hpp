@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// How the water about walls opens, whose mean pressure they have: what its conjugate, the continuity of that water,
-// shares out (docs/theory/wcmps.md, 5). For both schemes of the MPS family.
+// Finds how the water about walls opens, whose mean pressure they have: what its conjugate, the continuity of that
+// water, shares out (docs/theory/wcmps.md, 5). For both schemes of the MPS family.
 
 #include <array>
 #include <cstddef>

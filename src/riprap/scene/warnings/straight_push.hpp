@@ -10,8 +10,8 @@
 
 namespace riprap::scene {
 
-/// What a free body meets first on a straight way, and how its contacts take it up: by the distance potential, with all
-/// that other bodies are where they are now.
+/// Tells what a free body meets first on a straight way, and how its contacts take it up: by the distance potential,
+/// with all that other bodies are where they are now.
 ///
 /// From where it meets something the body is moved on, along d, its way where it comes head on, else against the push,
 /// and E(s) is what its contacts store after a way s. They bring it to rest where
