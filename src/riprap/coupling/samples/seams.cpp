@@ -51,11 +51,14 @@ Depth find_depth(const geometry::ShapeSet& shapes, const body::BodySet& bodies, 
     return deepest;
 }
 
-/// Depth in ground, sought up to `reach` from its surface.
+/// Depth in ground, sought up to `reach` from its surface: near by first, since a look costs as the square of its
+/// reach.
 Depth depth_in_ground(const body::Ground& ground, const Pose& pose, const Vec3& x, double reach) {
     const Vec3 in_body = to_body(pose, x);
-    if (const auto near = ground.field.nearest(in_body, reach)) {
-        return {-near->distance, rotate(pose.orientation, near->normal)};
+    for (const double part : {0.125, 0.25, 0.5, 1.0}) {
+        if (const auto near = ground.field.nearest(in_body, part * reach)) {
+            return {-near->distance, rotate(pose.orientation, near->normal)};
+        }
     }
     return {ground.field.is_inside(in_body) ? reach : -reach, {0, 0, 1}};
 }
