@@ -7,6 +7,7 @@
 
 #include "coupling/tank_scenes.hpp"
 #include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/ground_cells.hpp"
 
 namespace riprap::coupling {
 namespace {
@@ -109,6 +110,66 @@ TEST(FillSolids, repeat_across_periodic_sides) {
     }
     EXPECT_GT(inside, of_images + 500);
     EXPECT_GT(of_images, 100);
+}
+
+// Looks along the way, sixty to a spacing, find all but corners that it grazes.
+TEST(FillSolids, lie_between_places_where_looks_along_the_way_find_them) {
+    std::mt19937 random(13);
+    const test::Scene scene = rubble(random);
+    const FillSolids solids(scene.shapes, scene.bodies, scene.state, {}, farthest);
+    std::uniform_real_distribution<double> place(-1.2, 1.2), step(-3 * farthest, 3 * farthest);
+    int between = 0, open = 0;
+    while (between < 100 || open < 100) {
+        const Vec3 a{place(random), place(random), place(random)};
+        const Vec3 b = a + Vec3{step(random), step(random), step(random)};
+        if (solids.contain(a) || solids.contain(b)) {
+            continue;
+        }
+        bool expected = false;
+        for (int n = 1; n < 200; ++n) {
+            expected = expected || solids.contain(a + (n / 200.0) * (b - a));
+        }
+        const bool found = solids.lie_between(a, b);
+        ASSERT_TRUE(found || !expected);
+        EXPECT_EQ(found, solids.lie_between(b, a));
+        between += expected ? 1 : 0;
+        open += found ? 0 : 1;
+    }
+}
+
+TEST(FillSolids, lie_between_places_however_thin_they_are) {
+    for (const double thickness : {1e-5, 1e-2}) {
+        test::Scene scene;
+        scene.add(geometry::box({thickness, 0.4, 0.4}), {{0.3, 0, 0}, from_rotation_vector({0, 0, 0.4})});
+        const FillSolids solids(scene.shapes, scene.bodies, scene.state, {}, farthest);
+        EXPECT_TRUE(solids.lie_between({0.28, 0.01, 0}, {0.32, 0, 0}));
+        EXPECT_TRUE(solids.lie_between({0, 0.01, 0}, {0.7, 0, 0}));  // far longer than any distance asked for
+        EXPECT_FALSE(solids.lie_between({0.28, 0.01, 0}, {0.28, -0.1, 0.1}));
+        EXPECT_FALSE(solids.lie_between({0.28, 0, 0.21}, {0.32, 0, 0.21}));  // beside it
+        EXPECT_FALSE(solids.lie_between({0.2, 0, 0}, {0.27, 0, 0}));         // it begins behind
+    }
+}
+
+TEST(FillSolids, ground_lies_between_the_sides_of_its_ridge) {
+    test::Scene scene;
+    scene.bodies.is_planar = true;
+    std::vector<body::Part> parts;
+    for (const geometry::Polyhedron& cell :
+         geometry::cells_under_line({{-1, 0, 0}, {-1e-3, 0, 0}, {0, 0.3, 0}, {1e-3, 0, 0}, {1, 0, 0}}, 0.2)) {
+        Vec3 place;
+        const ShapeId shape = scene.shapes.add_convex(cell, true, &place);
+        parts.push_back({BodyId{}, shape, {place, {}}});
+    }
+    scene.add_parts(parts, {}, body::Drive::fixed);
+    ASSERT_EQ(body::find_grounds(scene.bodies, scene.shapes).size(), 1U);
+    const fluid::Domain domain{{-1, -1, 0}, {1, 1, 0}, {}, 2};
+    const FillSolids solids(scene.shapes, scene.bodies, scene.state, domain, farthest);
+    EXPECT_TRUE(solids.lie_between({-0.02, 0.1, 0}, {0.02, 0.1, 0}));
+    EXPECT_TRUE(solids.lie_between({0.02, 0.25, 0}, {-0.02, 0.2, 0}));
+    EXPECT_TRUE(solids.lie_between({-0.2, 0.01, 0}, {0.2, 0.1, 0}));
+    EXPECT_FALSE(solids.lie_between({-0.02, 0.31, 0}, {0.02, 0.31, 0}));
+    EXPECT_FALSE(solids.lie_between({-0.02, 0.1, 0}, {-0.01, 0.2, 0}));
+    EXPECT_FALSE(solids.lie_between({-0.2, 0.01, 0}, {-0.05, 0.01, 0}));
 }
 
 }  // namespace

@@ -68,17 +68,18 @@ struct Tank : test::Scene {
         }
         return nearest;
     }
-    void expect_even(double room, double slack) const {
+    Packed expect_even(double room, double slack) const {
         Filling filling = filled();
         EXPECT_NEAR(filling.regions[0].volume, room, slack);
         const Packed result = packed(filling);
         EXPECT_LT(result.unevenness, 1.5e-3);
         for (std::size_t i = 0; i < filling.particles.position.size(); ++i) {
             const Vec3& x = filling.particles.position[i];
-            ASSERT_GE(nearest_face(x), (0.25 - 1e-5) * dp);
-            ASSERT_LT(std::abs(result.lack[i]), 0.05) << x.x << ' ' << x.y << ' ' << x.z;
-            ASSERT_LT(x.y, level + 0.5 * dp);
+            EXPECT_GE(nearest_face(x), (0.25 - 1e-5) * dp);
+            EXPECT_LT(std::abs(result.lack[i]), 0.05) << x.x << ' ' << x.y << ' ' << x.z;
+            EXPECT_LT(x.y, level + 0.5 * dp);
         }
+        return result;
     }
 };
 
@@ -122,11 +123,17 @@ TEST(Pack, water_is_even_about_bodies_in_space) {
     with_ball.add_walls();
     with_ball.add(geometry::icosahedron(0.2), {{0.5, 0.4, 0.3}, from_rotation_vector({0.3, 0.2, 0.1})});
     const double ball = geometry::mass_properties(geometry::icosahedron(0.2)).volume;
-    with_ball.expect_even(0.8 * 0.6 - ball, 4 * dp * dp * dp);
+    const Packed about_ball = with_ball.expect_even(0.8 * 0.6 - ball, 4 * dp * dp * dp);
     Tank with_cube(3);
     with_cube.add_walls();
     with_cube.add(geometry::cube(0.25), {{0.5, 0.41, 0.3}, {}});
-    with_cube.expect_even(0.8 * 0.6 - 0.25 * 0.25 * 0.25, 4 * dp * dp * dp);
+    const Packed about_cube = with_cube.expect_even(0.8 * 0.6 - 0.25 * 0.25 * 0.25, 4 * dp * dp * dp);
+    // Both have pockets that stay uneven: sweeps end where they gain no more.
+    for (const Packed& packed : {about_ball, about_cube}) {
+        EXPECT_GT(packed.unevenness, 1e-4);
+        EXPECT_GT(packed.sweeps, 110);
+        EXPECT_LT(packed.sweeps, 190);
+    }
 }
 
 // The rows above and below were left out: the surface rose by half a row, and two voids of half a row closed.
@@ -164,6 +171,35 @@ TEST(Pack, the_surface_stays_where_it_is) {
     EXPECT_NEAR(2 * sum / static_cast<double>(filling.particles.position.size()), 0.8, 0.05 * dp);
 }
 
+// Boundary particles of walls thinner than a spacing hold no even count.
+TEST(Pack, leaves_the_lattice_beside_walls_thinner_than_a_spacing) {
+    for (const double thickness : {0.75, 1.5}) {
+        Tank tank(2);
+        tank.add_walls();
+        tank.add(rectangle(0.5 * thickness * dp, 0.2), at(0.51, 0.4, 0.3));
+        const Filling filling = tank.filled();
+        EXPECT_EQ(filling.misfits.empty(), thickness < 1) << thickness;
+    }
+}
+
+// Water beside a plate stays on its side, however it is packed.
+TEST(Pack, no_particle_comes_through_a_thin_plate) {
+    for (const double thickness : {0.05, 0.2}) {
+        Tank tank(2);
+        tank.add_walls();
+        tank.add(rectangle(0.5 * thickness * dp, 0.6), at(0.505, 0.6, 0));
+        tank.add(disc(0.15), at(0.32, 0.41, 0));
+        tank.add(rectangle(0.1, 0.1), at(0.64, 0.41, 0.5));
+        Filling filling = tank.filled();
+        const std::vector<Vec3> before = filling.particles.position;
+        tank.packed(filling);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            EXPECT_EQ(before[i].x < 0.505, filling.particles.position[i].x < 0.505)
+                << before[i].x << ' ' << before[i].y;
+        }
+    }
+}
+
 TEST(Pack, a_tank_that_the_lattice_fits_keeps_its_bits) {
     for (const int dimension : {2, 3}) {
         Tank tank(dimension);
@@ -194,13 +230,14 @@ TEST(Pack, places_far_from_what_does_not_fit_stay_on_the_lattice) {
     EXPECT_GT(moved, 70);
 }
 
-TEST(Pack, less_than_two_hundred_sweeps_do) {
+// With a share of the last move half as large it never becomes even.
+TEST(Pack, less_than_a_hundred_and_fifty_sweeps_make_water_even_about_a_disc) {
     Tank tank(2);
     tank.add_walls();
     tank.add(disc(0.2), at(0.47, 0.41, 0));
     Filling filling = tank.filled();
     const Packed result = tank.packed(filling);
-    EXPECT_LT(result.sweeps, 200);
+    EXPECT_LT(result.sweeps, 150);
     EXPECT_LT(result.unevenness, 1e-4);
     EXPECT_GT(result.unevenness, 5e-5);
 }

@@ -11,6 +11,24 @@
 
 namespace riprap::coupling {
 
+namespace {
+
+/// Tells whether the way from a to b goes through a triangle: its plane is between them, and the way is on the same
+/// side of all three edges.
+bool is_crossed(const geometry::TriangleMesh& mesh, std::int32_t triangle, const Vec3& a, const Vec3& b) {
+    const Vec3 &p = mesh.corner(triangle, 0), &q = mesh.corner(triangle, 1), &r = mesh.corner(triangle, 2);
+    const Vec3 normal = cross(q - p, r - p), way = b - a;
+    const double before = dot(normal, a - p), behind = dot(normal, b - p);
+    if ((before > 0) == (behind > 0)) {
+        return false;
+    }
+    const double u = dot(way, cross(p - a, q - a)), v = dot(way, cross(q - a, r - a)),
+                 w = dot(way, cross(r - a, p - a));
+    return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+}  // namespace
+
 FillSolids::FillSolids(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
                        const fluid::Domain& domain, double farthest)
     : farthest_(farthest), grounds_(body::find_grounds(bodies, shapes)) {
@@ -162,6 +180,45 @@ Vec3 FillSolids::push_out(const Vec3& x, double distance) const {
         return false;
     });
     return place;
+}
+
+bool FillSolids::is_cut(const Placed& part, const Vec3& a, const Vec3& b) {
+    const Vec3 from = to_body(part.pose, a), to = to_body(part.pose, b);
+    double enters = 0, leaves = 1;  // shares of the way
+    for (std::int32_t j = 0; j < part.shape.face_count; ++j) {
+        const double above = dot(part.shape.normal(j), from) - part.shape.offset[j];
+        const double rise = dot(part.shape.normal(j), to - from);
+        if (above + std::min(rise, 0.0) >= 0) {
+            return false;
+        }
+        if (rise < 0) {
+            enters = std::max(enters, -above / rise);
+        } else if (rise > 0) {
+            leaves = std::min(leaves, -above / rise);
+        }
+    }
+    return enters < leaves;
+}
+
+bool FillSolids::lie_between(const Vec3& a, const Vec3& b) const {
+    const int pieces = static_cast<int>(std::ceil(norm(b - a) / farthest_));  // cells know no farther ones
+    std::vector<std::int32_t> triangles;
+    for (int n = 0; n < pieces; ++n) {
+        const Vec3 middle = a + ((n + 0.5) / pieces) * (b - a);
+        for (std::size_t g = 0; g < grounds_.size(); ++g) {
+            const Vec3 from = to_body(poses_[g], a), to = to_body(poses_[g], b);
+            triangles.clear();
+            grounds_[g].field.near(to_body(poses_[g], middle), farthest_, triangles);
+            if (std::ranges::any_of(
+                    triangles, [&](std::int32_t t) { return is_crossed(grounds_[g].field.mesh(), t, from, to); })) {
+                return true;
+            }
+        }
+        if (is_any(middle, [&](const Placed& part) { return is_cut(part, a, b); })) {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace riprap::coupling

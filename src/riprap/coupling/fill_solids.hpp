@@ -28,6 +28,8 @@ class FillSolids {
     /// The place next to x that is `distance` away from the solid which x lies deepest in or nearest to; x itself where
     /// none is so near [m].
     Vec3 push_out(const Vec3& x, double distance) const;
+    /// Tells whether the straight way from a to b, both outside of solids, leads through one, however thin.
+    bool lie_between(const Vec3& a, const Vec3& b) const;
 
  private:
     struct Placed {
@@ -37,6 +39,7 @@ class FillSolids {
     void add_images(const fluid::Domain& domain);
     void sort_into_cells();
     static bool is_near(const Placed& part, const Vec3& x, double distance);
+    static bool is_cut(const Placed& part, const Vec3& a, const Vec3& b);
     template <class Is>
     bool is_any(const Vec3& x, const Is& is) const;
 
