@@ -14,6 +14,10 @@
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 
+namespace riprap::io {
+struct OutputChoices;
+}
+
 namespace riprap::scene {
 
 class ShapeLibrary;
@@ -32,6 +36,7 @@ struct CaseBuild {
     bool is_planar;
     sim::Model& model;
     sim::State& state;
+    io::OutputChoices& outputs;
     CaseFiles& files;
     ShapeLibrary& shapes;
     std::vector<Diagnostic>& problems;

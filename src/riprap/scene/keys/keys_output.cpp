@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "riprap/io/output/output_kinds.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/sim/abilities.hpp"
 #include "riprap/sim/quantity.hpp"
@@ -160,14 +161,13 @@ KeyList<sim::OutputSettings> output_keys() {
                         "Wall-clock time between checkpoints."),
             key::number(&S::ledger_tolerance, "ledger_tolerance", dimension::plain, above(0, 1),
                         "Share of the energy turned over that the energy ledger may fail to close by; looked at with "
-                        "every row of ledger.csv. More ends the run."),
-            key::boolean(&S::vtk, "vtk", "Write frames for ParaView."),
-            key::boolean(&S::contacts, "contacts", "Write contact points and forces with each frame.")};
+                        "every row of ledger.csv. More ends the run.")};
 }
 
 const Table& output_table() {
     static const Table table = [] {
         std::vector<Key> keys = rows_of(output_keys());
+        std::ranges::move(rows_of(io::output_keys()), std::back_inserter(keys));
         keys.push_back({"probe", {table_list(probe_table)}, "Time histories.", Value::array()});
         keys.push_back({"gauge", {table_list(gauge_table)}, "Instruments in the water.", Value::array()});
         keys.push_back({"damage", {table_list(damage_table)}, "Damage of armour layers.", Value::array()});
