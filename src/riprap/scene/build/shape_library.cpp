@@ -10,7 +10,7 @@
 #include "riprap/geometry/round_shapes.hpp"
 #include "riprap/geometry/sound_part.hpp"
 #include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/direction.hpp"
+#include "riprap/core/direction.hpp"
 
 namespace riprap::scene {
 
