@@ -18,7 +18,7 @@
 #include "riprap/scene/build/variations.hpp"
 #include "riprap/scene/keys/check_keys.hpp"
 #include "riprap/scene/keys/limits.hpp"
-#include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 #include "riprap/scene/warnings/distant_bodies.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"

@@ -12,7 +12,7 @@
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/random_stream.hpp"
 #include "riprap/scene/keys/freedom_words.hpp"
-#include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/scene/warnings/initial_overlaps.hpp"
 #include "riprap/sim/quantity.hpp"
 

@@ -9,7 +9,7 @@
 #include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/build/wave_range.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
-#include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/wave/linear_wave.hpp"
 
 namespace riprap::scene {
