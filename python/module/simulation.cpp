@@ -10,6 +10,7 @@
 
 #include "errors.hpp"
 #include "riprap/core/timer.hpp"
+#include "riprap/io/output/output_kinds.hpp"
 #include "riprap/run/outputs.hpp"
 #include "riprap/run/state_hash.hpp"
 #include "values.hpp"
@@ -205,7 +206,7 @@ py::object value(const Simulation& self, const std::string& name) {
 py::dict ledger(const Simulation& self) {
     const run::Simulation& simulation = self.read();
     py::dict values;
-    for (const sim::Column& column : run::scene_columns(simulation.model())) {
+    for (const sim::Column& column : io::scene_columns(simulation.model())) {
         values[py::str(column.name)] = evaluate(column, simulation.now());
     }
     return values;

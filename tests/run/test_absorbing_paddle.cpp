@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "riprap/core/vec3.hpp"
-#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/time_step.hpp"
@@ -121,7 +121,7 @@ box = {{ low = [0.0, 0.0], high = [1.6, 0.2] }}
     sim::initialise(loaded.model, loaded.state);
     std::vector<fluid::Gauge> gauges(8);
     for (std::size_t k = 0; k < gauges.size(); ++k) {
-        gauges[k].kind = fluid::GaugeKind::surface;
+        gauges[k].kind = &fluid::surface_gauge;
         gauges[k].up = {0, 1, 0};
         gauges[k].point = {0.2 + 0.18 * static_cast<double>(k), 0, 0};
         gauges[k].end = gauges[k].point + Vec3{0, 0.4, 0};

@@ -118,6 +118,20 @@ TEST(MissingPhysics, is_found_by_trying_the_smallest_case_with_it) {
     EXPECT_THAT(missing_physics(ring, "explicit_dda", "sph"), ::testing::ElementsAre("no bodies of several parts"));
 }
 
+// A flow was tried through a box and a wall_pressure away from every face, so all fluids seemed to lack both.
+TEST(MissingPhysics, of_gauges_is_what_the_fluid_does_not_read) {
+    std::vector<Diagnostic> problems;
+    const scene::Value root = scene::parse_toml(
+        "dimension = 2\n[[output.gauge]]\nkind = \"flow\"\n[[output.gauge]]\nkind = \"wall_pressure\"\n"
+        "[[output.gauge]]\nkind = \"level\"\n",
+        "a case", problems);
+    for (const char* fluid : {"sph", "wcmps", "mps", "grid", "none"}) {
+        EXPECT_THAT(missing_physics(root, "planar_dda", fluid), ::testing::IsEmpty()) << fluid;
+    }
+    EXPECT_THAT(missing_physics(root, "planar_dda", "hydrostatic"),
+                ::testing::ElementsAre("no gauge 'flow'", "no gauge 'wall_pressure'"));
+}
+
 TEST(MethodScales, quarter_and_quadruple_the_step_and_the_stiffness_that_the_case_has) {
     const auto runs = method_scales("[solid]\nstep = 0.001\ncontact_stiffness = 1e8\n[material.rock]\ndensity = 1.0\n",
                                     "planar_dda", {});

@@ -8,7 +8,7 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 #include "riprap/run/passage_verdict.hpp"
 #include "riprap/run/restart.hpp"
 #include "riprap/scene/read_case.hpp"
@@ -77,7 +77,7 @@ struct FlumeRun {
             look();
         }
     }
-    double read(fluid::GaugeKind kind, const Vec3& point, const Vec3& end) const {
+    double read(const fluid::GaugeKind* kind, const Vec3& point, const Vec3& end) const {
         fluid::Gauge gauge;
         gauge.kind = kind;
         gauge.point = point;
@@ -90,12 +90,12 @@ struct FlumeRun {
 TEST(OpenWater, a_channel_carries_what_comes_in_and_keeps_its_level) {
     FlumeRun run(channel);
     const std::int64_t before = run.state.fluid.size();
-    const auto volume = [&] { return run.read(fluid::GaugeKind::volume, {0, 0, 0}, {0.6, 0.8, 0}); };
+    const auto volume = [&] { return run.read(&fluid::volume_gauge, {0, 0, 0}, {0.6, 0.8, 0}); };
     const double volume_before = volume();
     double passed = 0, level = 0;
     run.until(2.0, [&] {
-        passed += run.report.dt * run.read(fluid::GaugeKind::flow, {0.6, 0, 0}, {0.6, 0.8, 0});
-        level += run.report.dt * run.read(fluid::GaugeKind::surface, {0.6, 0, 0}, {0.6, 0.8, 0});
+        passed += run.report.dt * run.read(&fluid::flow_gauge, {0.6, 0, 0}, {0.6, 0.8, 0});
+        level += run.report.dt * run.read(&fluid::surface_gauge, {0.6, 0, 0}, {0.6, 0.8, 0});
     });
     const fluid::OpenState& open = run.state.open;
     EXPECT_EQ(run.state.fluid.size(), before + open.entered[0] - open.left[0] - open.left[1]);
@@ -122,7 +122,7 @@ TEST(OpenWater, a_channel_that_starts_from_rest_comes_to_the_level_it_is_given) 
     run.until(5.0, [&] {
         most = std::max(most, run.state.open.position.size());
         if (run.state.time > 3) {
-            level += run.report.dt * run.read(fluid::GaugeKind::surface, {0.6, 0, 0}, {0.6, 0.8, 0});
+            level += run.report.dt * run.read(&fluid::surface_gauge, {0.6, 0, 0}, {0.6, 0.8, 0});
             time += run.report.dt;
         }
     });

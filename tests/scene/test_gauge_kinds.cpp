@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 #include "scene/case_fixture.hpp"
 
 namespace riprap::scene {
@@ -39,8 +39,8 @@ TEST(GaugeKinds, still_water_has_no_flow_to_read_and_the_fluids_that_have_are_na
 }
 
 TEST(GaugeKinds, of_every_fluid_are_refused_exactly_where_it_does_not_read_them) {
-    for (const fluid::GaugeInfo& info : fluid::gauge_kinds()) {
-        const std::string kind(info.name);
+    for (const fluid::GaugeKind* of : fluid::gauge_kinds()) {
+        const std::string kind(of->word);
         const auto refusal = Contains(HasSubstr("' to read at the gauge 'g'"));
         const bool is_still = kind == "pressure" || kind == "velocity" || kind == "level";
         if (is_still) {

@@ -17,7 +17,7 @@ Column add_gauge(Basin& basin, const Vec3& place) {
     OutputSettings& output = basin.model.output;
     fluid::Gauge gauge;
     gauge.name = "gauge" + std::to_string(output.gauges.size());
-    gauge.kind = fluid::GaugeKind::wall_pressure;
+    gauge.kind = &fluid::wall_pressure_gauge;
     gauge.point = place;
     gauge.face = static_cast<std::int32_t>(output.faces.size());
     output.faces.push_back(
@@ -143,7 +143,7 @@ TEST(WallPressure, a_gauge_in_the_water_goes_and_turns_with_the_body_that_it_nam
     Basin basin;
     const BodyId block = basin.add_square(0.3, 700, {0.4, 0.8, 0}, {0.3, 0, 0}, 2);
     basin.fill_pool(1, 1);
-    fluid::Gauge gauge{"velocity", fluid::GaugeKind::velocity, {0.05, -0.25, 0}, {}, {0, 1, 0}};  // below the block
+    fluid::Gauge gauge{"velocity", &fluid::velocity_gauge, {0.05, -0.25, 0}, {}, {0, 1, 0}};  // below the block
     gauge.carrier = block.value;
     basin.model.output.gauges.push_back(gauge);
     const State initial = basin.state;

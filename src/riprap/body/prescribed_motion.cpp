@@ -3,19 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace riprap::body {
 
 namespace {
-
-struct Offset {
-    Vec3 displacement;
-    Vec3 velocity;
-};
-
-Offset offset_at(const LinearMotion& law, double t) { return {t * law.velocity, law.velocity}; }
 
 struct Stroke {
     double value, rate;
@@ -37,39 +29,12 @@ Stroke sine_at(double omega, double phase, double ramp, double t) {
     return grown({std::sin(angle), omega * std::cos(angle)}, std::sin(phase), ramp, t);
 }
 
-Offset offset_at(const SinusoidalMotion& law, double t) {
-    const Stroke sine = sine_at(2 * std::numbers::pi / law.period, law.phase, law.ramp, t);
-    return {sine.value * law.amplitude, sine.rate * law.amplitude};
-}
-
-Offset offset_at(const TableMotion& law, double t) {
-    if (law.time.empty()) {
-        return {};
-    }
-    const auto next = std::upper_bound(law.time.begin(), law.time.end(), t);
-    if (next == law.time.begin()) {
-        return {law.displacement.front(), {}};
-    }
-    if (next == law.time.end()) {
-        return {law.displacement.back(), {}};
-    }
-    const auto i = static_cast<std::size_t>(next - law.time.begin());
-    const Vec3 velocity = (law.displacement[i] - law.displacement[i - 1]) / (law.time[i] - law.time[i - 1]);
-    return {law.displacement[i - 1] + (t - law.time[i - 1]) * velocity, velocity};
-}
-
 /// The body turned by `angle` about an axis through `center`, and its velocities.
 DrivenState turned(const Pose& initial, const Vec3& center, const Vec3& axis, double angle, double rate) {
     const Quat turn = from_rotation_vector(angle * axis);
     const Vec3 arm = rotate(turn, initial.position - center);
     const Vec3 angular_velocity = rate * axis;
     return {{center + arm, normalized(turn * initial.orientation)}, cross(angular_velocity, arm), angular_velocity};
-}
-
-DrivenState apply(const RotatingMotion& law, const Pose& initial, double t) {
-    const Stroke sine = sine_at(2 * std::numbers::pi / law.period, law.phase, law.ramp, t);
-    return turned(initial, law.center, law.axis, law.rate * t + law.amplitude * sine.value,
-                  law.rate + law.amplitude * sine.rate);
 }
 
 Stroke stroke_at(const SplineMotion& law, double t) {
@@ -95,14 +60,6 @@ Stroke stroke_at(const SplineMotion& law, double t) {
     return {law.stroke[a] + u * (from + u * (c + u * d)), (from + u * (2 * c + u * 3 * d)) / span};
 }
 
-DrivenState apply(const SplineMotion& law, const Pose& initial, double t) {
-    const Stroke stroke = stroke_at(law, t);
-    if (law.is_turn) {
-        return turned(initial, law.center, law.direction, stroke.value, stroke.rate);
-    }
-    return {{initial.position + stroke.value * law.direction, initial.orientation}, stroke.rate * law.direction, {}};
-}
-
 Stroke stroke_at(const HarmonicMotion& law, double t) {
     const double w = law.angular_frequency, angle = w * t + law.phase;
     const auto [a, b] = law.amplitude;
@@ -111,43 +68,95 @@ Stroke stroke_at(const HarmonicMotion& law, double t) {
     return grown({full, full_rate}, a * std::sin(law.phase) + b * std::sin(2 * law.phase), law.ramp, t);
 }
 
-DrivenState apply(const HarmonicMotion& law, const Pose& initial, double t) {
-    const Stroke stroke = stroke_at(law, t);
-    if (law.arm > 0) {
-        const double slope = stroke.value / law.arm;
-        return turned(initial, law.center, law.direction, std::atan(slope),
-                      stroke.rate / (law.arm * (1 + slope * slope)));
-    }
-    return {{initial.position + stroke.value * law.direction, initial.orientation}, stroke.rate * law.direction, {}};
-}
-
-template <class Law>
-double period_of(const Law&) {
-    return std::numeric_limits<double>::infinity();
-}
-double period_of(const SinusoidalMotion& law) { return law.period; }
-double period_of(const RotatingMotion& law) {
-    return law.amplitude != 0 ? law.period : std::numeric_limits<double>::infinity();
-}
-double period_of(const HarmonicMotion& law) {
-    return 2 * std::numbers::pi / law.angular_frequency / (law.amplitude[1] != 0 ? 2 : 1);
-}
-
-template <class Law>
-DrivenState apply(const Law& law, const Pose& initial, double t) {
-    const Offset offset = offset_at(law, t);
-    return {{initial.position + offset.displacement, initial.orientation}, offset.velocity, {}};
+/// The body displaced without a turn.
+DrivenState displaced(const Pose& initial, const Vec3& displacement, const Vec3& velocity) {
+    return {{initial.position + displacement, initial.orientation}, velocity, {}};
 }
 
 }  // namespace
 
+KeyList<LinearMotion> LinearMotion::keys() {
+    return {key::vector(&LinearMotion::velocity, "velocity", dimension::velocity, key::any(), "Velocity.").required()};
+}
+
+DrivenState LinearMotion::at(const Pose& initial, double t) const { return displaced(initial, t * velocity, velocity); }
+
+KeyList<SinusoidalMotion> SinusoidalMotion::keys() {
+    using S = SinusoidalMotion;
+    return {key::vector(&S::amplitude, "amplitude", dimension::length, key::any(), "Amplitude of the displacement.")
+                .required(),
+            key::number(&S::period, "period", dimension::time, key::positive(), "Period.").required(),
+            key::number(&S::phase, "phase", dimension::angle, key::any(), "Phase at the start."),
+            key::number(&S::ramp, "ramp", dimension::time, key::non_negative(),
+                        "Time in which it grows from rest to its full size.")};
+}
+
+DrivenState SinusoidalMotion::at(const Pose& initial, double t) const {
+    const Stroke sine = sine_at(2 * std::numbers::pi / period, phase, ramp, t);
+    return displaced(initial, sine.value * amplitude, sine.rate * amplitude);
+}
+
+DrivenState TableMotion::at(const Pose& initial, double t) const {
+    if (time.empty()) {
+        return displaced(initial, {}, {});
+    }
+    const auto next = std::upper_bound(time.begin(), time.end(), t);
+    if (next == time.begin()) {
+        return displaced(initial, displacement.front(), {});
+    }
+    if (next == time.end()) {
+        return displaced(initial, displacement.back(), {});
+    }
+    const auto i = static_cast<std::size_t>(next - time.begin());
+    const Vec3 velocity = (displacement[i] - displacement[i - 1]) / (time[i] - time[i - 1]);
+    return displaced(initial, displacement[i - 1] + (t - time[i - 1]) * velocity, velocity);
+}
+
+KeyList<RotatingMotion> RotatingMotion::keys() {
+    using S = RotatingMotion;
+    return {
+        key::vector(&S::center, "center", dimension::length, key::any(), "A point of the axis.").required(),
+        key::axis(&S::axis, "axis", "Direction of the axis."),
+        key::number(&S::rate, "rate", dimension::angular_velocity, key::any(), "Angular velocity of the steady turn."),
+        key::number(&S::amplitude, "amplitude", dimension::angle, key::any(),
+                    "Amplitude of an oscillation added to it."),
+        key::number(&S::period, "period", dimension::time, key::positive(), "Period of the oscillation."),
+        key::number(&S::phase, "phase", dimension::angle, key::any(), "Phase of the oscillation at the start."),
+        key::number(&S::ramp, "ramp", dimension::time, key::non_negative(),
+                    "Time in which the oscillation grows from rest to its full size.")};
+}
+
+DrivenState RotatingMotion::at(const Pose& initial, double t) const {
+    const Stroke sine = sine_at(2 * std::numbers::pi / period, phase, ramp, t);
+    return turned(initial, center, axis, rate * t + amplitude * sine.value, rate + amplitude * sine.rate);
+}
+
+DrivenState SplineMotion::at(const Pose& initial, double t) const {
+    const Stroke now = stroke_at(*this, t);
+    return is_turn ? turned(initial, center, direction, now.value, now.rate)
+                   : displaced(initial, now.value * direction, now.rate * direction);
+}
+
+DrivenState HarmonicMotion::at(const Pose& initial, double t) const {
+    const Stroke stroke = stroke_at(*this, t);
+    if (arm > 0) {
+        const double slope = stroke.value / arm;
+        return turned(initial, center, direction, std::atan(slope), stroke.rate / (arm * (1 + slope * slope)));
+    }
+    return displaced(initial, stroke.value * direction, stroke.rate * direction);
+}
+
+double HarmonicMotion::shortest_period() const {
+    return 2 * std::numbers::pi / angular_frequency / (amplitude[1] != 0 ? 2 : 1);
+}
+
 double shortest_period(const PrescribedMotion& motion) {
-    return std::visit([](const auto& law) { return period_of(law); }, motion.law);
+    return std::visit([](const auto& law) { return law.shortest_period(); }, motion.law);
 }
 
 DrivenState evaluate(const PrescribedMotion& motion, const Pose& initial, double time) {
     const double t = std::clamp(time, motion.start, motion.stop) - motion.start;
-    DrivenState state = std::visit([&](const auto& law) { return apply(law, initial, t); }, motion.law);
+    DrivenState state = std::visit([&](const auto& law) { return law.at(initial, t); }, motion.law);
     if (time < motion.start || time >= motion.stop) {
         state.velocity = {};
         state.angular_velocity = {};

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "riprap/core/dimension.hpp"
+#include "riprap/core/direction.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/key_problem.hpp"
 #include "riprap/core/vec3.hpp"
@@ -50,7 +51,8 @@ struct Range {
 /// choice as text.
 using KeyValue = std::variant<std::monostate, bool, std::int64_t, double, Vec3, std::string>;
 
-enum class KeyKind : std::uint8_t { boolean, integer, number, choice, vector };
+/// direction, axis: vectors of any length that fill a member with a unit vector; an axis is one of a turn.
+enum class KeyKind : std::uint8_t { boolean, integer, number, choice, vector, direction, axis, text, name };
 
 /// A condition under which a key is read: another key of the same method has one of these values.
 struct KeyCondition {
@@ -230,6 +232,43 @@ BoundKey<S> vector(Vec3 S::*member, std::string_view name, const Dimension& dime
     return {{.name = name, .help = help, .kind = KeyKind::vector, .dimension = dimension, .range = range},
             [member](const S& s) -> KeyValue { return s.*member; },
             [member](S& s, const KeyValue& value) { s.*member = std::get<Vec3>(value); }};
+}
+
+/// A vector that need not be given: the member then stays empty.
+template <class S>
+BoundKey<S> vector(std::optional<Vec3> S::*member, std::string_view name, const Dimension& dimension,
+                   std::string_view help) {
+    return {{.name = name, .help = help, .kind = KeyKind::vector, .dimension = dimension},
+            [member](const S& s) { return s.*member ? KeyValue(*(s.*member)) : KeyValue(); },
+            [member](S& s, const KeyValue& value) { s.*member = std::get<Vec3>(value); }};
+}
+
+/// A vector that gives a direction, or the axis of a turn: the member is a unit vector.
+template <class S>
+BoundKey<S> direction(Vec3 S::*member, std::string_view name, std::string_view help) {
+    return {{.name = name, .help = help, .kind = KeyKind::direction},
+            [member](const S& s) -> KeyValue { return s.*member; },
+            [member](S& s, const KeyValue& value) { s.*member = direction_of(std::get<Vec3>(value)); }};
+}
+template <class S>
+BoundKey<S> axis(Vec3 S::*member, std::string_view name, std::string_view help) {
+    BoundKey<S> key = direction(member, name, help);
+    key.row.kind = KeyKind::axis;
+    return key;
+}
+
+/// A text; one that is a name is safe in columns and file names. Without a default where the member is empty.
+template <class S>
+BoundKey<S> text(std::string S::*member, std::string_view name, std::string_view help) {
+    return {{.name = name, .help = help, .kind = KeyKind::text},
+            [member](const S& s) { return (s.*member).empty() ? KeyValue() : KeyValue(s.*member); },
+            [member](S& s, const KeyValue& value) { s.*member = std::get<std::string>(value); }};
+}
+template <class S>
+BoundKey<S> name(std::string S::*member, std::string_view name, std::string_view help) {
+    BoundKey<S> key = text(member, name, help);
+    key.row.kind = KeyKind::name;
+    return key;
 }
 
 /// A word of a choice and the value that it stands for.

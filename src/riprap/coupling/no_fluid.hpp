@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "riprap/body/motion.hpp"
-#include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/gauge_query.hpp"
 #include "riprap/coupling/no_fluid_settings.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
-#include "riprap/fluid/gauge/gauge.hpp"
 
 namespace riprap::coupling {
 
@@ -41,10 +39,8 @@ class NoFluid {
     Outcome kick(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
     Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
     std::span<const double> feedback() const { return {}; }
-    static constexpr bool reads(fluid::GaugeKind /*kind*/) { return false; }
-    static std::array<double, 3> read(const FluidScene& /*scene*/, const Settings& /*settings*/,
-                                      const fluid::ParticleState& /*particles*/, const Scratch* /*scratch*/,
-                                      const fluid::Gauge& /*gauge*/, const FaceGauge* /*face*/, double /*time*/) {
+    static constexpr unsigned offers = fluid::reading::none;
+    static fluid::GaugeReading read(const GaugeQuery<NoFluid>& /*query*/) {
         return {std::numeric_limits<double>::quiet_NaN()};
     }
 };

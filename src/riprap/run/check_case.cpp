@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string_view>
 
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
-#include "riprap/io/fluid_frame.hpp"
-#include "riprap/io/scene_frame.hpp"
+#include "riprap/io/output/output_kinds.hpp"
 #include "riprap/run/end_causes.hpp"
 #include "riprap/run/ensemble.hpp"
 #include "riprap/run/expects.hpp"
@@ -20,7 +18,6 @@
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/quantity.hpp"
-#include "riprap/sim/shown.hpp"
 #include "riprap/sim/time_step.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
@@ -36,39 +33,6 @@ constexpr std::size_t bytes_per_solved_block = 65'000;
 
 /// Steps of the bodies within one of the water above which hardly anything else is computed.
 constexpr std::int64_t many_substeps = 1000;
-
-/// Water as it will be: a lattice at rest is packed into much less than particles that have moved.
-fluid::ParticleState stirred(const fluid::ParticleSettings& settings, fluid::ParticleState water) {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> share(-1, 1);
-    for (std::size_t i = 0; i < water.position.size(); ++i) {
-        for (int axis = 0; axis < settings.domain.dimension; ++axis) {
-            water.position[i][axis] += 0.2 * settings.spacing * share(random);
-            water.velocity[i][axis] = 0.1 * settings.sound_speed * share(random);
-        }
-        water.density[i] = settings.rest_density * (1 + 0.01 * share(random));
-    }
-    return water;
-}
-
-double predicted_frame_bytes(const sim::Model& model, const sim::State& initial, const sim::State& state,
-                             const sim::Scratch& scratch) {
-    if (!model.output.vtk) {
-        return 0;
-    }
-    const std::vector<io::DrawnPlane> planes = io::draw_planes(model, initial);
-    const io::PolyData bodies = io::draw_bodies(model, initial, state, planes, scratch.contact_force());
-    double bytes = static_cast<double>(io::encode_vtp(bodies, 0).size());
-    if (model.particles() != nullptr) {
-        io::put_fluid([&bytes](std::string_view piece) { bytes += static_cast<double>(piece.size()); },
-                      model.particles()->settings(), stirred(model.particles()->settings(), state.fluid), 0);
-    }
-    if (model.output.contacts) {
-        bytes +=
-            static_cast<double>(io::encode_vtp(io::draw_contacts(shown_contacts(model, state, scratch)), 0).size());
-    }
-    return bytes;
-}
 
 /// Returns the first impact that is certainly too hard for its contact: the estimate errs by less than three times.
 std::string certain_crush(const scene::LoadedCase& loaded) {
@@ -249,10 +213,15 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
         const bool is_end_due = steps == 0 || count > due_count(interval, check.time_step, steps - 1);
         return count + (is_end_due ? 0 : 1);
     };
-    check.frames = model.output.vtk ? static_cast<std::int64_t>(times(frame_interval(model))) : 0;
-    const auto columns = static_cast<double>(scene_columns(model).size() + sim::record_columns(model).size());
-    check.output_bytes = static_cast<std::size_t>(static_cast<double>(check.frames) *
-                                                      predicted_frame_bytes(model, initial, state, scratch) +
+    bool has_frames = false;
+    double frame_bytes = 0;
+    io::for_each_output(*loaded.outputs, [&](const auto& output) {
+        has_frames = has_frames || output.has_frames();
+        frame_bytes += output.frame_bytes({model, initial, state, &scratch, &report});
+    });
+    check.frames = has_frames ? static_cast<std::int64_t>(times(frame_interval(model))) : 0;
+    const auto columns = static_cast<double>(io::scene_columns(model).size() + sim::record_columns(model).size());
+    check.output_bytes = static_cast<std::size_t>(static_cast<double>(check.frames) * frame_bytes +
                                                   times(row_interval(model)) * columns * bytes_per_number);
     return check;
 }

@@ -237,7 +237,7 @@ std::string check_json(const CaseCheck& check) {
     json["waves"] = nlohmann::ordered_json::array();
     for (const scene::PaddleWave& wave : check.waves) {
         json["waves"].push_back({{"paddle", wave.paddle},
-                                 {"kind", scene::text_of(wave.kind)},
+                                 {"kind", wave.kind},
                                  {"height", wave.height},
                                  {"depth", wave.depth},
                                  {"period", wave.period},

@@ -68,7 +68,7 @@ void Driver::store_case(const std::vector<std::string>& overrides) const {
 void Driver::start() {
     log_ = std::make_unique<RunLog>(folder_);
     announce("start");
-    outputs_ = std::make_unique<Outputs>(folder_, model(), simulation_.initial(), record_, false);
+    outputs_ = std::make_unique<Outputs>(folder_, simulation_.loaded(), simulation_.initial(), record_, false);
     outputs_->after_step(simulation_.now(), outputs_->due_at(state().time, 0));
     outputs_->note(record_);
     simulation_.note(record_);
@@ -104,7 +104,7 @@ void Driver::take_up(Restart restart, std::optional<double> end, std::optional<s
     earlier_seconds_ = record_.wall_seconds;
     announce(fmt::format("resume at step {}", state().step));
     if (simulation_.steps_left() > 0) {
-        outputs_ = std::make_unique<Outputs>(folder_, model(), simulation_.initial(), record_, true);
+        outputs_ = std::make_unique<Outputs>(folder_, simulation_.loaded(), simulation_.initial(), record_, true);
     }
 }
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "riprap/fluid/gauge/gauge.hpp"
-#include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/abilities.hpp"
+#include "riprap/sim/method_traits.hpp"
 
 namespace riprap::run {
 
@@ -131,12 +131,13 @@ void add_periods(const Value& root, std::vector<Feature>& features) {
                         {"fluid.domain.periodic=[true, false]"}});
 }
 
-void add_gauges(const Value& root, std::vector<Feature>& features) {
-    for (const fluid::GaugeInfo& info : fluid::gauge_kinds()) {
-        const std::string end = scene::needs_end(info.kind) ? ", end = [3.0, 1.5]" : "";
-        const std::string gauge =
-            fmt::format("output.gauge=[{{ name = \"gauge\", kind = \"{}\", point = [1.0, 0.5]{} }}]", info.name, end);
-        features.push_back({fmt::format("no gauge '{}'", info.name), has_gauge(root, info.name), true, {gauge}});
+/// Adds the kinds of gauges of the case that the fluid does not read.
+void add_gauges(const Value& root, std::string_view fluid, std::vector<std::string>& missing) {
+    for (const fluid::GaugeKind* kind : fluid::gauge_kinds()) {
+        const std::vector<std::string_view> readers = sim::fluids_that_read(*kind);
+        if (fluid != "none" && has_gauge(root, kind->word) && std::ranges::find(readers, fluid) == readers.end()) {
+            missing.push_back(fmt::format("no gauge '{}'", kind->word));
+        }
     }
 }
 
@@ -168,7 +169,6 @@ std::vector<std::string> missing_physics(const Value& root, std::string_view sol
     add_solid_features(root, features);
     add_needs(root, features);
     add_periods(root, features);
-    add_gauges(root, features);
     std::vector<std::string> missing;
     for (const Feature& feature : features) {
         const bool can_be_tried = !feature.is_of_fluid || fluid != "none";
@@ -176,6 +176,7 @@ std::vector<std::string> missing_physics(const Value& root, std::string_view sol
             missing.push_back(feature.lacking);
         }
     }
+    add_gauges(root, fluid, missing);
     return missing;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "riprap/io/csv.hpp"
-#include "riprap/io/scene_frame.hpp"
+#include "riprap/io/output/output.hpp"
 #include "riprap/run/restart.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/schedule.hpp"
@@ -18,13 +18,13 @@ struct Due {
     bool frame{false};  ///< for ParaView
 };
 
-/// Everything a run writes while it runs: frames for ParaView, rows of probes.csv and ledger.csv. The next time at
-/// which each is due is part of a checkpoint, so a resumed run writes the same files as one that was never stopped.
+/// All outputs of a run (io/output/output_kinds.hpp) while it runs. The next time at which each is due is part of a
+/// checkpoint, so a resumed run writes the same files as one that was never stopped.
 class Outputs {
  public:
     /// Starts new files, or continues those of a run as the record of its checkpoint says. @throws FileError
-    Outputs(const RunFolder& folder, const sim::Model& model, const sim::State& initial, const RunRecord& record,
-            bool is_continued);
+    Outputs(const RunFolder& folder, const scene::LoadedCase& loaded, const sim::State& initial,
+            const RunRecord& record, bool is_continued);
 
     /// Returns the outputs due once a step of length dt has ended at `time` [s]. Asked before the step is taken, so
     /// that it is known which quantities must be measured in it.
@@ -36,29 +36,34 @@ class Outputs {
     /// Puts all rows on the disk and notes the lengths and the next due times, for a checkpoint.
     void note(RunRecord& record);
 
-    /// The last frame and the last rows, where the last step did not write them, and bodies.csv. Comes after `note`:
-    /// a run that is continued past its end drops these again.
+    /// The last frame and the last rows, where the last step did not write them, and what is written once. Comes after
+    /// `note`: a run that is continued past its end drops these again.
     void at_end(const sim::Moment& moment);
 
  private:
-    void write_frame(const sim::Moment& moment, const std::string& tag);
-    void write_lists(const sim::Moment* last) const;
-    void write_probe_row(const sim::Moment& moment);
-    void write_ledger_row(const sim::Moment& moment);
+    /// An output of the case; nullptr where it does without.
+    struct Opened {
+        std::unique_ptr<io::Output> output;
+        bool has_table;
+    };
+    template <class Work>
+    void for_each(const Work& work) {
+        for (const Opened& opened : outputs_) {
+            if (opened.output != nullptr) {
+                work(*opened.output);
+            }
+        }
+    }
+    void write_rows(const sim::Moment& moment);
+    void write_frames(const sim::Moment& moment, std::span<const io::WrittenFrame> frames);
 
-    const RunFolder& folder_;
-    const sim::Model& model_;
+    std::filesystem::path folder_;
     Schedule frame_schedule_, row_schedule_;
-    std::vector<io::DrawnPlane> planes_;
-    std::vector<sim::Column> probe_columns_, ledger_columns_;
-    io::GrowingCsv probes_, ledger_;
-    std::vector<double> frame_times_;
+    bool has_frames_{false};
+    std::vector<Opened> outputs_;
+    std::vector<io::WrittenFrame> frames_;
     Due last_written_;
 };
-
-/// Every quantity of the scene except time that the methods of a case have, vectors by component: the columns of
-/// ledger.csv.
-std::vector<sim::Column> scene_columns(const sim::Model& model);
 
 /// The intervals of a case with their defaults: end/100 between frames, end/1000 between rows [s].
 double frame_interval(const sim::Model& model);

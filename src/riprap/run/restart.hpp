@@ -30,7 +30,7 @@ struct RunRecord {
     StepCounts steps;
     double wall_seconds{0};  ///< of all processes so far [s]
     std::int64_t resumes{0};
-    std::vector<std::uint64_t> csv_bytes;       ///< length of probes.csv and ledger.csv
+    std::vector<std::uint64_t> csv_bytes;       ///< lengths of the tables, in the order of io::OutputChoices
     std::vector<double> frame_times;            ///< times of the frames written [s]
     std::vector<double> expects;                ///< running figures of the expected answers
     double approached{PassageWatch::infinite};  ///< since bodies were last looked at, PassageWatch::approached [m]

@@ -6,10 +6,10 @@
 #include <sys/file.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <nlohmann/json.hpp>
 
+#include "riprap/io/output/output_kinds.hpp"
 #include "riprap/io/own_file.hpp"
 #include "riprap/run/provenance.hpp"
 #include "riprap/scene/keys/limits.hpp"
@@ -22,14 +22,20 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t ticket_limit = std::size_t{1} << 24;
 
-/// Everything a run writes, so that --force removes that and nothing else.
-constexpr std::array<std::string_view, 18> own_names{
-    "run.json",     "case",       "resolved.toml", "checkpoint", "frames",       "run.log",
-    "run.jsonl",    "probes.csv", "ledger.csv",    "bodies.csv", "summary.json", "out.pvd",
-    "contacts.pvd", "index.html", "picture.png",   "movie.mp4",  "movie",        "plot.svg",
-};
+/// Everything a run writes, so that --force removes that and nothing else; the ticket first.
+const std::vector<std::string_view>& own_names() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all{"run.json",  "case",      "resolved.toml", "checkpoint", "frames",
+                                          "run.log",   "run.jsonl", "summary.json",  "index.html", "picture.png",
+                                          "movie.mp4", "movie",     "plot.svg"};
+        const std::vector<std::string_view> files = io::output_files();
+        all.insert(all.end(), files.begin(), files.end());
+        return all;
+    }();
+    return names;
+}
 
-bool is_own(const std::string& name) { return std::find(own_names.begin(), own_names.end(), name) != own_names.end(); }
+bool is_own(const std::string& name) { return std::ranges::find(own_names(), name) != own_names().end(); }
 
 /// Names in a folder, without the hidden ones (locks, partial files).
 std::vector<std::string> names_in(const fs::path& folder) {
@@ -149,7 +155,7 @@ void make_room(const RunFolder& folder) {
     if (!has_leftovers) {
         return;
     }
-    for (const std::string_view name : own_names) {  // the ticket goes first: from then on there is no run here
+    for (const std::string_view name : own_names()) {  // the ticket goes first: from then on there is no run here
         std::error_code error;
         fs::remove_all(folder.root / name, error);
         if (error) {

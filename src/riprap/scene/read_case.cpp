@@ -9,15 +9,16 @@
 #include <fstream>
 
 #include "riprap/core/fields.hpp"
+#include "riprap/io/output/output_kinds.hpp"
 #include "riprap/scene/build/build_case.hpp"
 #include "riprap/scene/build/check_spreads.hpp"
 #include "riprap/scene/build/choose_contact.hpp"
 #include "riprap/scene/build/complete_solid.hpp"
 #include "riprap/scene/build/expand_records.hpp"
-#include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/build/variations.hpp"
 #include "riprap/scene/keys/check_keys.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 #include "riprap/scene/warnings/distant_bodies.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
@@ -184,13 +185,14 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     const Value resolved = expand_records(with_ends(checked, written_end), problems);
 
     LoadedCase loaded;
+    loaded.outputs = std::make_shared<io::OutputChoices>();
     loaded.folder = folder;
     loaded.source_text = std::string(text);
     loaded.overrides.assign(overrides.begin(), overrides.end());
     CaseFiles files(folder);
     ShapeLibrary shapes(loaded.model.shapes, files, is_planar, problems, loaded.warnings, loaded.notes);
-    CaseBuild build{resolved, is_planar, loaded.model,    loaded.state, files,
-                    shapes,   problems,  loaded.warnings, loaded.notes};
+    CaseBuild build{resolved, is_planar, loaded.model, loaded.state,    *loaded.outputs,
+                    files,    shapes,    problems,     loaded.warnings, loaded.notes};
     build_settings(build);
     build_materials(build);
     build_bodies(build);

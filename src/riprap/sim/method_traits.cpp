@@ -193,18 +193,19 @@ std::string let_go_text(const Model& model, const State& state) {
     });
 }
 
-bool reads_gauge(const Model& model, fluid::GaugeKind kind) {
-    return Fluids::visit(
-        model.fluid, [kind]<class Fluid>(const typename Fluid::Settings& /*settings*/) { return Fluid::reads(kind); });
+bool reads_gauge(const Model& model, const fluid::GaugeKind& kind) {
+    return Fluids::visit(model.fluid, [&kind]<class Fluid>(const typename Fluid::Settings& /*settings*/) {
+        return (kind.needs & ~Fluid::offers) == 0;
+    });
 }
 
-std::vector<std::string_view> fluids_that_read(fluid::GaugeKind kind) {
+std::vector<std::string_view> fluids_that_read(const fluid::GaugeKind& kind) {
     std::vector<std::string_view> words;
     const auto add = [&words]<class... Schemes>(const std::variant<Schemes...>* /*schemes*/) {
         (words.push_back(Schemes::method_name), ...);
     };
     Fluids::for_each([&]<class Fluid>() {
-        if (!Fluid::reads(kind)) {
+        if ((kind.needs & ~Fluid::offers) != 0) {
             return;
         }
         if constexpr (requires { typename Fluid::Settings::Choices; }) {

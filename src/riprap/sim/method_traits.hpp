@@ -81,11 +81,11 @@ std::string misfit_of_fields(const Model& model, const State& state);
 /// has.
 std::string let_go_text(const Model& model, const State& state);
 
-/// Does the fluid read gauges of a kind? It says so by `reads(kind)`.
-bool reads_gauge(const Model& model, fluid::GaugeKind kind);
+/// Does the fluid read gauges of a kind? It says so by the readings that it `offers`.
+bool reads_gauge(const Model& model, const fluid::GaugeKind& kind);
 
 /// Returns the words of the fluids that read gauges of a kind.
-std::vector<std::string_view> fluids_that_read(fluid::GaugeKind kind);
+std::vector<std::string_view> fluids_that_read(const fluid::GaugeKind& kind);
 
 /// Abilities of a solid method besides moving bodies, each stated by a member: has_locks, has_fixed_points, has_bolts.
 enum class SolidAbility : std::uint8_t { locks, fixed_points, bolts };

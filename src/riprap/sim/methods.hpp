@@ -52,7 +52,7 @@ concept SolidMethod = std::default_initializable<typename M::Settings> &&
 template <class M>
 concept FluidMethod = requires(M fluid, const M looked_at, const TimeSpan& span, const body::Motion& motion,
                                coupling::FluidStep& report, coupling::FluidLoads& loads, std::vector<Vec3>& corrections,
-                               std::int64_t step) {
+                               std::int64_t step, const coupling::GaugeQuery<M>& query) {
     { looked_at.limit() } -> std::same_as<StepLimit>;
     fluid.tidy(step);
     fluid.drive(span, corrections);
@@ -61,7 +61,8 @@ concept FluidMethod = requires(M fluid, const M looked_at, const TimeSpan& span,
     { fluid.kick(span, report) } -> std::same_as<Outcome>;
     { fluid.end(span, report) } -> std::same_as<Outcome>;
     { looked_at.feedback() } -> std::convertible_to<std::span<const double>>;
-    { M::reads(fluid::GaugeKind::pressure) } -> std::same_as<bool>;
+    { M::offers } -> std::convertible_to<unsigned>;
+    { M::read(query) } -> std::same_as<fluid::GaugeReading>;
 };
 
 /// A list of methods, and the buffers that are made of it for the Scratch.

@@ -52,17 +52,16 @@ struct Damage {
     double strips{1};            ///< width of the group over the nominal diameter: N_od = displaced/strips [-]
 };
 
+/// Watched quantities, and how often files are written. Files have settings of their own (io/output/output_kinds.hpp).
 struct OutputSettings {
     double interval{0};              ///< between frames [s]; 0 = end/100
     double probe_interval{0};        ///< between rows of probes.csv and ledger.csv [s]; 0 = end/1000
     double checkpoint_interval{60};  ///< wall-clock seconds between checkpoints [s]
     double ledger_tolerance{0.05};   ///< share of the turnover that the energy residual may reach [-]
-    bool vtk{true};
-    bool contacts{true};  ///< write contact points and forces
     std::vector<Probe> probes;
     std::vector<fluid::Gauge> gauges;
     std::vector<Damage> damage;
-    std::vector<coupling::FaceGauge> faces;  ///< of the gauges of kind wall_pressure, see Gauge::face
+    std::vector<coupling::FaceGauge> faces;  ///< of the gauges in faces, see Gauge::face
 };
 
 /// Points of another source, beside which the values of an expected answer are held.

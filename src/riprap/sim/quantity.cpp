@@ -97,25 +97,31 @@ std::string with_component(std::string_view name, const QuantityInfo& quantity, 
     return text;
 }
 
+template <class Fields>
+const Fields& fields_in(const FluidFields& fields) {
+    if constexpr (std::is_same_v<Fields, NoFields>) {
+        static const NoFields none;
+        return none;
+    } else {
+        return std::get<Fields>(fields);
+    }
+}
+
 /// Reads a gauge of the fluid of the case.
-std::array<double, 3> read_gauge(const Moment& moment, const fluid::Gauge& gauge) {
+fluid::GaugeReading read_gauge(const Moment& moment, const fluid::Gauge& gauge) {
     const Model& model = moment.model;
     const coupling::FaceGauge* const face =
         gauge.face >= 0 ? &model.output.faces[static_cast<std::size_t>(gauge.face)] : nullptr;
     const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
     return Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) {
-        if (!Fluid::reads(gauge.kind)) {
-            return std::array<double, 3>{std::numeric_limits<double>::quiet_NaN()};
+        if ((gauge.kind->needs & ~Fluid::offers) != 0) {
+            return fluid::GaugeReading{std::numeric_limits<double>::quiet_NaN()};
         }
         const auto* const scratch = moment.scratch == nullptr
                                         ? nullptr
                                         : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().methods->fluid);
-        if constexpr (std::is_same_v<typename Fluid::Fields, NoFields>) {
-            return Fluid::read(scene, settings, moment.state.fluid, scratch, gauge, face, moment.state.time);
-        } else {
-            const auto& fields = std::get<typename Fluid::Fields>(moment.state.fluid_fields);
-            return Fluid::read(scene, settings, fields, scratch, gauge, face);
-        }
+        return Fluid::read({gauge, face, scene, settings, moment.state.fluid,
+                            fields_in<typename Fluid::Fields>(moment.state.fluid_fields), scratch, moment.state.time});
     });
 }
 
@@ -215,10 +221,10 @@ std::vector<Column> record_columns(const Model& model) {
     }
     for (std::size_t g = 0; g < model.output.gauges.size(); ++g) {
         const fluid::Gauge& gauge = model.output.gauges[g];
-        const fluid::GaugeInfo& info = fluid::info_of(gauge.kind);
-        for (int c = 0; c < info.components; ++c) {
-            const std::string name = info.components > 1 ? gauge.name + '.' + static_cast<char>('x' + c) : gauge.name;
-            columns.push_back({name, unit_in(info.unit, model.bodies.is_planar), BodyId{}, nullptr, c, std::nullopt,
+        const fluid::GaugeKind& kind = *gauge.kind;
+        for (int c = 0; c < kind.components; ++c) {
+            const std::string name = kind.components > 1 ? gauge.name + '.' + static_cast<char>('x' + c) : gauge.name;
+            columns.push_back({name, unit_in(kind.unit, model.bodies.is_planar), BodyId{}, nullptr, c, std::nullopt,
                                static_cast<std::int32_t>(g)});
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ struct Tank {
         }
     }
     Vec3 up() const { return settings.domain.dimension == 2 ? Vec3{0, 1, 0} : Vec3{0, 0, 1}; }
-    double read(GaugeKind kind, const Vec3& point, const Vec3& end = {}) const {
+    double read(const GaugeKind* kind, const Vec3& point, const Vec3& end = {}) const {
         return read_gauge({"gauge", kind, point, end, up()}, settings, state)[0];
     }
 };
@@ -48,7 +48,7 @@ TEST(Gauge, a_linear_velocity_field_is_read_exactly_inside_on_walls_and_in_corne
         }
         const double z = dimension == 3 ? 0.21 : 0.0;
         for (const Vec3 x : {Vec3{0.5, 0.25, z}, Vec3{0.0, 0.25, z}, Vec3{1.0, 0.0, z}}) {
-            const auto v = read_gauge({"v", GaugeKind::velocity, x, {}, tank.up()}, tank.settings, tank.state);
+            const auto v = read_gauge({"v", &velocity_gauge, x, {}, tank.up()}, tank.settings, tank.state);
             EXPECT_NEAR(v[0], field(x).x, 1e-12);
             EXPECT_NEAR(v[1], field(x).y, 1e-12);
         }
@@ -58,7 +58,7 @@ TEST(Gauge, a_linear_velocity_field_is_read_exactly_inside_on_walls_and_in_corne
 // A line that ended at 1e300 m took the program down, and one of 1e5 m never came to an end.
 TEST(Gauge, a_line_far_longer_than_the_water_reads_what_a_short_one_does) {
     const Tank tank(2);
-    for (const GaugeKind kind : {GaugeKind::surface, GaugeKind::run_up}) {
+    for (const GaugeKind* kind : {&surface_gauge, &run_up_gauge}) {
         const double level = tank.read(kind, {0.5, 0.1, 0}, {0.5, 1, 0});
         EXPECT_NEAR(level, 0.4, 0.002);
         EXPECT_NEAR(tank.read(kind, {0.5, 0.1, 0}, {0.5, 1e5, 0}), level, 1e-4);
@@ -68,12 +68,12 @@ TEST(Gauge, a_line_far_longer_than_the_water_reads_what_a_short_one_does) {
     Tank ring(2);  // wet all the way, for ever
     ring.settings.domain.high = {1, 1, 0};
     ring.settings.domain.is_periodic[0] = true;
-    EXPECT_EQ(ring.read(GaugeKind::surface, {0.5, 0.2, 0}, {1e9, 0.2, 0}), 1e9 - 0.5);
+    EXPECT_EQ(ring.read(&surface_gauge, {0.5, 0.2, 0}, {1e9, 0.2, 0}), 1e9 - 0.5);
 }
 
 TEST(Gauge, one_that_a_body_carries_reads_where_the_body_has_taken_it) {
     const Tank tank(2);
-    const Gauge fixed{"level", GaugeKind::level, {0.3, 0.2, 0}, {}, tank.up()};
+    const Gauge fixed{"level", &level_gauge, {0.3, 0.2, 0}, {}, tank.up()};
     Gauge gauge = fixed;
     gauge.carrier = 1;
     gauge.point = {0, 0.4, 0};  // from a body that has turned by a quarter: 0.4 m to the left of its centre
@@ -97,29 +97,29 @@ TEST(Gauge, in_still_periodic_water_no_reading_depends_on_the_place) {
             tank.state.velocity[j] = {0.3, 0, 0};
         }
         const double y = dimension == 3 ? 0.25 : 0.0;
-        const auto read = [&](GaugeKind kind, double x, double low, double high, double width = 0) {
+        const auto read = [&](const GaugeKind* kind, double x, double low, double high, double width = 0) {
             const Vec3 point = dimension == 3 ? Vec3{x, width > 0 ? 0 : y, low} : Vec3{x, low, 0};
             const Vec3 end = dimension == 3 ? Vec3{x + width, width > 0 ? 0.5 : y, high} : Vec3{x + width, high, 0};
             return tank.read(kind, point, end);
         };
         const auto flow_at = [&](double x) {
             const Vec3 top = dimension == 3 ? Vec3{x, 0.5, 0.8} : Vec3{x, 0.8, 0};
-            return tank.read(GaugeKind::flow, {x, 0, 0}, top);
+            return tank.read(&flow_gauge, {x, 0, 0}, top);
         };
         for (const double x : {0.0, 0.05, 0.95, 1.0}) {  // places that lie alike between particles
             const double middle = 0.5;
-            EXPECT_NEAR(read(GaugeKind::pressure, x, 0.2, 0.2), read(GaugeKind::pressure, middle, 0.2, 0.2), 1e-8);
-            EXPECT_NEAR(read(GaugeKind::pressure, x, 0.2, 0.2), 9810 * 0.3, 1);
-            EXPECT_NEAR(read(GaugeKind::velocity, x, 0.2, 0.2), 0.3, 1e-12);
-            EXPECT_NEAR(read(GaugeKind::level, x, 0, 0), read(GaugeKind::level, middle, 0, 0), 1e-12);
-            EXPECT_NEAR(read(GaugeKind::level, x, 0, 0), depth, 2e-3);
-            EXPECT_NEAR(read(GaugeKind::surface, x, 0.1, 0.9), read(GaugeKind::surface, middle, 0.1, 0.9), 1e-12);
-            EXPECT_NEAR(read(GaugeKind::run_up, x, 0.1, 0.9), read(GaugeKind::run_up, middle, 0.1, 0.9), 1e-12);
+            EXPECT_NEAR(read(&pressure_gauge, x, 0.2, 0.2), read(&pressure_gauge, middle, 0.2, 0.2), 1e-8);
+            EXPECT_NEAR(read(&pressure_gauge, x, 0.2, 0.2), 9810 * 0.3, 1);
+            EXPECT_NEAR(read(&velocity_gauge, x, 0.2, 0.2), 0.3, 1e-12);
+            EXPECT_NEAR(read(&level_gauge, x, 0, 0), read(&level_gauge, middle, 0, 0), 1e-12);
+            EXPECT_NEAR(read(&level_gauge, x, 0, 0), depth, 2e-3);
+            EXPECT_NEAR(read(&surface_gauge, x, 0.1, 0.9), read(&surface_gauge, middle, 0.1, 0.9), 1e-12);
+            EXPECT_NEAR(read(&run_up_gauge, x, 0.1, 0.9), read(&run_up_gauge, middle, 0.1, 0.9), 1e-12);
             EXPECT_NEAR(flow_at(x), flow_at(middle), 1e-12);
         }
         // A box across the seam holds what the same box holds elsewhere; one wider than the domain holds all, once.
-        EXPECT_NEAR(read(GaugeKind::volume, 0.9, 0, 1, 0.2), read(GaugeKind::volume, 0.4, 0, 1, 0.2), 1e-12);
-        EXPECT_NEAR(read(GaugeKind::volume, -0.5, 0, 1, 2), read(GaugeKind::volume, 0, 0, 1, 1), 1e-12);
+        EXPECT_NEAR(read(&volume_gauge, 0.9, 0, 1, 0.2), read(&volume_gauge, 0.4, 0, 1, 0.2), 1e-12);
+        EXPECT_NEAR(read(&volume_gauge, -0.5, 0, 1, 2), read(&volume_gauge, 0, 0, 1, 1), 1e-12);
     }
 }
 
@@ -130,17 +130,17 @@ TEST(Gauge, hydrostatic_pressure_is_read_on_the_bed_of_a_tank) {
         const double p = 1000 * 9.81 * (depth - tank.state.position[j].y);
         tank.state.density[j] = density_of(tank.settings, p);
     }
-    EXPECT_NEAR(tank.read(GaugeKind::pressure, {0.5, 0, 0}), 1000 * 9.81 * depth, 1e-3);
-    EXPECT_NEAR(tank.read(GaugeKind::pressure, {0, 0.1, 0}), 1000 * 9.81 * 0.4, 1e-3);
+    EXPECT_NEAR(tank.read(&pressure_gauge, {0.5, 0, 0}), 1000 * 9.81 * depth, 1e-3);
+    EXPECT_NEAR(tank.read(&pressure_gauge, {0, 0.1, 0}), 1000 * 9.81 * 0.4, 1e-3);
 }
 
 TEST(Gauge, levels_integrate_the_water_and_surfaces_find_its_edge) {
     const Tank tank(2);
-    EXPECT_NEAR(tank.read(GaugeKind::level, {0.5, 0, 0}), 0.5, 1e-12);
-    EXPECT_NEAR(tank.read(GaugeKind::surface, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.4, 1e-3);
-    EXPECT_NEAR(tank.read(GaugeKind::run_up, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.4, 1e-3);
+    EXPECT_NEAR(tank.read(&level_gauge, {0.5, 0, 0}), 0.5, 1e-12);
+    EXPECT_NEAR(tank.read(&surface_gauge, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.4, 1e-3);
+    EXPECT_NEAR(tank.read(&run_up_gauge, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.4, 1e-3);
     const Tank deep(3);
-    EXPECT_NEAR(deep.read(GaugeKind::level, {0.5, 0.25, 0}), 0.5, 1e-12);
+    EXPECT_NEAR(deep.read(&level_gauge, {0.5, 0.25, 0}), 0.5, 1e-12);
 }
 
 TEST(Gauge, a_void_lowers_the_level_but_not_the_surface) {
@@ -154,9 +154,9 @@ TEST(Gauge, a_void_lowers_the_level_but_not_the_surface) {
     }
     holed.density.resize(holed.position.size());
     tank.state = holed;
-    EXPECT_NEAR(tank.read(GaugeKind::level, {0.5, 0, 0}), 0.4, 1e-12);
-    EXPECT_NEAR(tank.read(GaugeKind::surface, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.4, 1e-3);
-    EXPECT_NEAR(tank.read(GaugeKind::run_up, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.1, 1e-3);
+    EXPECT_NEAR(tank.read(&level_gauge, {0.5, 0, 0}), 0.4, 1e-12);
+    EXPECT_NEAR(tank.read(&surface_gauge, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.4, 1e-3);
+    EXPECT_NEAR(tank.read(&run_up_gauge, {0.5, 0.1, 0}, {0.5, 0.9, 0}), 0.1, 1e-3);
 }
 
 TEST(Gauge, a_uniform_stream_flows_through_a_section_at_speed_times_area) {
@@ -166,24 +166,24 @@ TEST(Gauge, a_uniform_stream_flows_through_a_section_at_speed_times_area) {
             v = {1.5, 0.2, 0};
         }
         const double area = dimension == 2 ? 0.5 : 0.25;
-        EXPECT_NEAR(tank.read(GaugeKind::flow, {0.5, 0, 0}, {0.5, 0.5, 0.5}), 1.5 * area, 1e-12);
+        EXPECT_NEAR(tank.read(&flow_gauge, {0.5, 0, 0}, {0.5, 0.5, 0.5}), 1.5 * area, 1e-12);
     }
 }
 
 TEST(Gauge, the_water_in_a_box_has_its_volume_and_a_dry_place_reads_nothing) {
     const Tank tank(3);
-    EXPECT_NEAR(tank.read(GaugeKind::volume, {0.8, 0, 0}, {2, 1, 1}), 0.2 * 0.25, 1e-12);
-    for (const GaugeKind kind : {GaugeKind::pressure, GaugeKind::velocity, GaugeKind::level}) {
+    EXPECT_NEAR(tank.read(&volume_gauge, {0.8, 0, 0}, {2, 1, 1}), 0.2 * 0.25, 1e-12);
+    for (const GaugeKind* kind : {&pressure_gauge, &velocity_gauge, &level_gauge}) {
         EXPECT_EQ(tank.read(kind, {3, 0.25, 0.25}), 0);
     }
-    EXPECT_EQ(tank.read(GaugeKind::surface, {3, 0.25, 0}, {3, 0.25, 1}), 0);
+    EXPECT_EQ(tank.read(&surface_gauge, {3, 0.25, 0}, {3, 0.25, 1}), 0);
 }
 
 TEST(Gauge, every_kind_is_found_by_its_name) {
     for (const char* name : {"pressure", "velocity", "level", "surface", "run_up", "flow", "volume", "wall_pressure"}) {
-        const GaugeInfo* info = find_gauge_kind(name);
-        ASSERT_NE(info, nullptr) << name;
-        EXPECT_EQ(info_of(info->kind).name, name);
+        const GaugeKind* kind = find_gauge_kind(name);
+        ASSERT_NE(kind, nullptr) << name;
+        EXPECT_EQ(kind->word, name);
     }
     EXPECT_EQ(find_gauge_kind("temperature"), nullptr);
 }

@@ -3,7 +3,7 @@
 
 #include "fluid/sph/water.hpp"
 #include "fluid/wcmps/pool.hpp"
-#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 #include "riprap/fluid/wcmps/wcmps_scratch.hpp"
 
 namespace riprap::fluid::testing {
@@ -123,7 +123,7 @@ double mean_surface(const Pool& pool, double width) {
     double sum = 0;
     for (int i = 0; i < 9; ++i) {
         const double x = margin + (width - 2 * margin) * i / 8;
-        const Gauge line{.name = "line", .kind = GaugeKind::surface, .point = {x, 0, 0}, .end = {x, 1, 0}};
+        const Gauge line{.name = "line", .kind = &surface_gauge, .point = {x, 0, 0}, .end = {x, 1, 0}};
         sum += read_gauge(line, pool.settings, pool.state)[0] / 9;
     }
     return sum;

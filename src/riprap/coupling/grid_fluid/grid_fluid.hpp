@@ -11,15 +11,14 @@
 
 #include "riprap/core/account.hpp"
 #include "riprap/coupling/cut_cells/cut_loads.hpp"
-#include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/gauge_query.hpp"
 #include "riprap/coupling/grid_fluid/fields.hpp"
 #include "riprap/coupling/grid_fluid/pressed_pocket.hpp"
 #include "riprap/coupling/grid_fluid/settings.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
-#include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/fluid/grid/grid_step.hpp"
 #include "riprap/fluid/grid/read.hpp"
 #include "riprap/fluid/grid/shown_water.hpp"
@@ -68,11 +67,9 @@ class GridFluid {
     Outcome end(const TimeSpan& span, FluidStep& report);
     std::span<const double> feedback() const { return scratch_->feedback; }
 
-    /// Tells whether a gauge of this kind means something here: all do.
-    static constexpr bool reads(fluid::GaugeKind /*kind*/) { return true; }
+    static constexpr unsigned offers = fluid::reading::all;
     /// Reads a gauge of any kind. Without scratch, bodies are cut anew.
-    static std::array<double, 3> read(const FluidScene& scene, const Settings& settings, const Fields& fields,
-                                      const Scratch* scratch, const fluid::Gauge& gauge, const FaceGauge* face);
+    static fluid::GaugeReading read(const GaugeQuery<GridFluid>& query);
     /// Says how much water has left through the open top and was let go; empty where none has.
     static std::string let_go_text(const Settings& settings, const Fields& fields);
     static fluid::grid::ShownWater shown(const FluidScene& scene, const Settings& settings, const Fields& fields);

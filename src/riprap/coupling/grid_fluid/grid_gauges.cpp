@@ -16,12 +16,22 @@ namespace {
 using fluid::grid::at;
 using fluid::grid::Mesh;
 
-/// Input of gauges: the water, and the share of cells that solids leave to it.
-struct Reader {
+/// The water of a grid as gauges read it, with the share of cells that solids leave to it.
+struct Reader : fluid::WaterReader {
     const GridFluidSettings& settings;
+    const GridFluidFields& fields;
     const fluid::grid::GridState& water;
+    const FaceGauge* wall;  ///< of a gauge in a face
     const fluid::grid::OpenShares& open;
     const fluid::grid::Room* room;  ///< that `open` leaves, where it has been made
+
+    Reader(const GaugeQuery<GridFluid>& query, const fluid::grid::OpenShares& left, const fluid::grid::Room* made)
+        : settings(query.settings),
+          fields(query.fields),
+          water(query.fields.water),
+          wall(query.face),
+          open(left),
+          room(made) {}
     const Mesh& mesh() const { return settings.grid.mesh; }
 
     double share(std::int64_t c) const { return open.has_bodies ? open.volume[at(c)] : 1; }
@@ -106,7 +116,7 @@ struct Reader {
         return fluid::grid::place_plane(normal, water.fraction[at(c)]);
     }
     /// P of the cell and the weight of water below the place; air counts as air.
-    double pressure(const Vec3& x) const {
+    double pressure(const Vec3& x) const override {
         const std::int64_t c = cell_at(x);
         if (!holds(x) || share(c) == 0) {
             return 0;
@@ -117,7 +127,8 @@ struct Reader {
         const double density = fluid::grid::density_of(settings.grid, water.fraction[at(c)]);
         return water.pressure[at(c)] + density * dot(fluid::grid::body_force(settings.grid, water.time), x);
     }
-    double level(const Vec3& x, const Vec3& up) const {
+    Vec3 velocity(const Vec3& x) const override { return is_wet(x) ? read_velocity(settings.grid, water, x) : Vec3{}; }
+    double level(const Vec3& x, const Vec3& up) const override {
         int axis = 0;
         for (int a = 1; a < 3; ++a) {
             axis = std::abs(up[a]) > std::abs(up[axis]) ? a : axis;
@@ -134,6 +145,8 @@ struct Reader {
         }
         return sum;
     }
+    double surface(const Vec3& start, const Vec3& end) const override { return along(start, end, false); }
+    double run_up(const Vec3& start, const Vec3& end) const override { return along(start, end, true); }
     /// Distance along a line of its last wet place, or of the first dry one.
     double along(const Vec3& from, const Vec3& to, bool is_first) const {
         const double length = norm(to - from), step = 0.1 * settings.spacing;
@@ -155,7 +168,7 @@ struct Reader {
         return found;
     }
     /// Water through the cell faces nearest to a rectangle, along the axis across it [m^3/s].
-    double flow(const Vec3& low, const Vec3& high) const {
+    double flow(const Vec3& low, const Vec3& high) const override {
         const auto& box = mesh().box;
         int axis = 0;
         for (int a = 0; a < box.axes; ++a) {
@@ -194,7 +207,7 @@ struct Reader {
         }
         return sum;
     }
-    double volume(const Vec3& low, const Vec3& high) const {
+    double volume(const Vec3& low, const Vec3& high) const override {
         return fluid::grid::reduce_cells(
             mesh().box, 0.0,
             [&](std::int64_t c, int i, int j, int k) {
@@ -209,10 +222,13 @@ struct Reader {
             fluid::grid::sum_of);
     }
     /// In front of a face: half a cell away from it, and the weight of water back to it.
-    double wall_pressure(const FaceGauge& face, const GridFluidFields& fields) const {
-        const auto b = at(face.body.value);
-        const Vec3 foot = fields.cut_position[b] + rotate(fields.cut_orientation[b], face.anchor);
-        const Vec3 normal = rotate(fields.cut_orientation[b], face.normal);
+    double wall_pressure() const override {
+        if (wall == nullptr) {
+            return 0;
+        }
+        const auto b = at(wall->body.value);
+        const Vec3 foot = fields.cut_position[b] + rotate(fields.cut_orientation[b], wall->anchor);
+        const Vec3 normal = rotate(fields.cut_orientation[b], wall->normal);
         for (const double away : {0.1, 0.5, 1.0}) {
             const Vec3 place = foot + (away * settings.spacing) * normal;
             const std::int64_t c = cell_at(place);
@@ -227,37 +243,15 @@ struct Reader {
 
 }  // namespace
 
-std::array<double, 3> GridFluid::read(const FluidScene& scene, const Settings& settings, const Fields& fields,
-                                      const Scratch* scratch, const fluid::Gauge& gauge, const FaceGauge* face) {
+fluid::GaugeReading GridFluid::read(const GaugeQuery<GridFluid>& query) {
+    const Scratch* const scratch = query.scratch;
     const bool is_ready = scratch != nullptr && scratch->cutter.has_value();
     fluid::grid::OpenShares anew;
-    if (!is_ready && scene.bodies.size() > 0) {
-        anew = cut_again(scene, settings, fields).open;
+    if (!is_ready && query.scene.bodies.size() > 0) {
+        anew = cut_again(query.scene, query.settings, query.fields).open;
     }
-    const Reader reader{settings, fields.water, is_ready ? scratch->grid.open : anew,
-                        is_ready ? &scratch->grid.room : nullptr};
-    switch (gauge.kind) {
-        case fluid::GaugeKind::pressure:
-            return {reader.pressure(gauge.point)};
-        case fluid::GaugeKind::velocity: {
-            const Vec3 u =
-                reader.is_wet(gauge.point) ? read_velocity(settings.grid, fields.water, gauge.point) : Vec3{};
-            return {u.x, u.y, u.z};
-        }
-        case fluid::GaugeKind::level:
-            return {reader.level(gauge.point, gauge.up)};
-        case fluid::GaugeKind::surface:
-            return {reader.along(gauge.point, gauge.end, false)};
-        case fluid::GaugeKind::run_up:
-            return {reader.along(gauge.point, gauge.end, true)};
-        case fluid::GaugeKind::flow:
-            return {reader.flow(gauge.point, gauge.end)};
-        case fluid::GaugeKind::volume:
-            return {reader.volume(gauge.point, gauge.end)};
-        case fluid::GaugeKind::wall_pressure:
-            return {face != nullptr ? reader.wall_pressure(*face, fields) : 0};
-    }
-    return {};
+    return query.gauge.kind->read(
+        query.gauge, Reader(query, is_ready ? scratch->grid.open : anew, is_ready ? &scratch->grid.room : nullptr));
 }
 
 fluid::grid::ShownWater GridFluid::shown(const FluidScene& scene, const Settings& settings, const Fields& fields) {

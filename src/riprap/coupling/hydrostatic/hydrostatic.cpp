@@ -201,22 +201,34 @@ Outcome HydrostaticFluid::kick(const TimeSpan& span, FluidStep& report) {
     return {};
 }
 
-std::array<double, 3> HydrostaticFluid::read(const FluidScene& scene, const Settings& settings,
-                                             const fluid::ParticleState& /*particles*/, const Scratch* /*scratch*/,
-                                             const fluid::Gauge& gauge, const FaceGauge* /*face*/, double time) {
-    const HydrostaticSettings::Basin* basin = nearest_basin(settings, gauge.point);
-    const bool is_wet = basin != nullptr && distance_from(*basin, settings, gauge.point) == 0;
-    const double depth = is_wet ? settings.level_at(*basin, time) - dot(gauge.point, settings.up) : 0;
-    switch (gauge.kind) {
-        case fluid::GaugeKind::pressure:
-            return {std::max(0.0, settings.rest_density * norm(scene.gravity.at(time)) * depth)};
-        case fluid::GaugeKind::level:
-            return {std::max(0.0, depth)};
-        case fluid::GaugeKind::velocity:
-            return {};
-        default:
-            return {std::numeric_limits<double>::quiet_NaN()};
+namespace {
+
+/// Still water as gauges read it.
+class StillReader : public fluid::WaterReader {
+ public:
+    explicit StillReader(const GaugeQuery<HydrostaticFluid>& query) : query_(query) {}
+    double pressure(const Vec3& x) const override {
+        return std::max(0.0, query_.settings.rest_density * norm(query_.scene.gravity.at(query_.time)) * depth(x));
     }
+    Vec3 velocity(const Vec3& /*x*/) const override { return {}; }
+    double level(const Vec3& x, const Vec3& /*up*/) const override { return std::max(0.0, depth(x)); }
+
+ private:
+    /// Of a place below the surface [m]; 0 where there is no basin.
+    double depth(const Vec3& x) const {
+        const HydrostaticSettings& settings = query_.settings;
+        const HydrostaticSettings::Basin* basin = nearest_basin(settings, x);
+        const bool is_wet = basin != nullptr && distance_from(*basin, settings, x) == 0;
+        return is_wet ? settings.level_at(*basin, query_.time) - dot(x, settings.up) : 0;
+    }
+
+    const GaugeQuery<HydrostaticFluid>& query_;
+};
+
+}  // namespace
+
+fluid::GaugeReading HydrostaticFluid::read(const GaugeQuery<HydrostaticFluid>& query) {
+    return query.gauge.kind->read(query.gauge, StillReader(query));
 }
 
 }  // namespace riprap::coupling

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
 #include "riprap/core/fields.hpp"
-#include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/gauge_query.hpp"
 #include "riprap/coupling/hydrostatic/settings.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
-#include "riprap/fluid/gauge/gauge.hpp"
 
 namespace riprap::coupling {
 
@@ -57,14 +55,9 @@ class HydrostaticFluid {
     Outcome kick(const TimeSpan& span, FluidStep& report);
     Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
     std::span<const double> feedback() const { return {}; }
-    /// Tells whether a gauge of this kind means something in still water.
-    static constexpr bool reads(fluid::GaugeKind kind) {
-        return kind == fluid::GaugeKind::pressure || kind == fluid::GaugeKind::velocity ||
-               kind == fluid::GaugeKind::level;
-    }
-    static std::array<double, 3> read(const FluidScene& scene, const Settings& settings,
-                                      const fluid::ParticleState& particles, const Scratch* scratch,
-                                      const fluid::Gauge& gauge, const FaceGauge* face, double time);
+    /// Readings of gauges that mean something in still water.
+    static constexpr unsigned offers = fluid::reading::pressure | fluid::reading::velocity | fluid::reading::level;
+    static fluid::GaugeReading read(const GaugeQuery<HydrostaticFluid>& query);
 
  private:
     const FluidScene* scene_;

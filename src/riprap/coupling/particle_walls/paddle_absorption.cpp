@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
 namespace riprap::coupling {
@@ -36,7 +36,7 @@ void prepare_sea(PaddleAbsorption& paddle, double spacing) {
 double surface_at_paddle(const PaddleAbsorption& paddle, double shift, const fluid::ParticleSettings& settings,
                          const fluid::ParticleState& water) {
     fluid::Gauge gauge;
-    gauge.kind = fluid::GaugeKind::surface;
+    gauge.kind = &fluid::surface_gauge;
     gauge.up = paddle.up;
     gauge.point = paddle.foot + (shift + absorption_gauge_distance * settings.spacing) * paddle.direction;
     gauge.end = gauge.point + (2 * paddle.depth) * paddle.up;  // waves break below

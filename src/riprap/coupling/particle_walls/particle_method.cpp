@@ -10,6 +10,7 @@
 #include "riprap/coupling/particle_walls/closed_pocket.hpp"
 #include "riprap/coupling/particle_walls/gauge_edges.hpp"
 #include "riprap/coupling/particle_walls/walls.hpp"
+#include "riprap/fluid/gauge/particle_reader.hpp"
 #include "riprap/fluid/mps/rest_density.hpp"
 #include "riprap/fluid/open/leaving.hpp"
 #include "riprap/fluid/particle/sort.hpp"
@@ -235,21 +236,36 @@ Outcome ParticleMethod::end(const TimeSpan& span, FluidStep& report) {
     return {report.passage.problem, 0, report.passage.remedy};
 }
 
-std::array<double, 3> ParticleMethod::read(const FluidScene& scene, const Settings& water,
-                                           const fluid::ParticleState& particles, const Scratch* scratch,
-                                           const fluid::Gauge& gauge, const FaceGauge* face, double time) {
-    const fluid::ParticleSettings& settings = water.settings();
-    if (face == nullptr) {
-        return read_gauge(gauge, settings, particles);
+namespace {
+
+/// Particles between walls as gauges read them.
+class WalledReader : public fluid::ParticleReader {
+ public:
+    explicit WalledReader(const GaugeQuery<ParticleMethod>& query)
+        : ParticleReader(query.settings.settings(), query.particles), query_(query) {}
+    double wall_pressure() const override {
+        const ParticleScratch* const scratch = query_.scratch;
+        if (query_.face == nullptr || scratch == nullptr || scratch->motion.pose.empty()) {
+            return unknown;
+        }
+        const ParticleFluid& water = query_.settings;
+        const fluid::ParticleSettings& settings = water.settings();
+        return read_face(
+            *query_.face,
+            {query_.scene.shapes, query_.scene.bodies, water.is_dry, scratch->motion,
+             SampleView(water.samples, scratch->near_numbers), scratch->walls, settings.domain, settings.spacing,
+             settings.support_radius(), scratch->penalty.pushes()},
+            {water.scheme, query_.particles, in_plane(query_.scene.gravity.at(query_.time), settings.domain)});
     }
-    if (scratch == nullptr || scratch->motion.pose.empty()) {
-        return {std::numeric_limits<double>::quiet_NaN()};
-    }
-    return {read_face(
-        *face,
-        {scene.shapes, scene.bodies, water.is_dry, scratch->motion, SampleView(water.samples, scratch->near_numbers),
-         scratch->walls, settings.domain, settings.spacing, settings.support_radius(), scratch->penalty.pushes()},
-        {water.scheme, particles, in_plane(scene.gravity.at(time), settings.domain)})};
+
+ private:
+    const GaugeQuery<ParticleMethod>& query_;
+};
+
+}  // namespace
+
+fluid::GaugeReading ParticleMethod::read(const GaugeQuery<ParticleMethod>& query) {
+    return query.gauge.kind->read(query.gauge, WalledReader(query));
 }
 
 }  // namespace riprap::coupling

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <span>
 #include <string>
 
 #include "riprap/core/account.hpp"
 #include "riprap/coupling/fluid_report.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/gauge_query.hpp"
 #include "riprap/coupling/particle_walls/correct_bodies.hpp"
 #include "riprap/coupling/particle_walls/face_reading.hpp"
 #include "riprap/coupling/particle_walls/particle_scratch.hpp"
-#include "riprap/fluid/gauge/gauge.hpp"
 
 namespace riprap::coupling {
 
@@ -61,12 +60,9 @@ class ParticleMethod {
     /// Returns the share of each body's mass that its walls feed back to the loads: the bodies whose accelerations have
     /// to be iterated [-].
     std::span<const double> feedback() const { return scratch_->bodies.kappa; }
-    /// Tells whether a gauge of this kind means something here: all do.
-    static constexpr bool reads(fluid::GaugeKind /*kind*/) { return true; }
+    static constexpr unsigned offers = fluid::reading::all;
     /// Reads a gauge; nothing before the first step for one on a face.
-    static std::array<double, 3> read(const FluidScene& scene, const Settings& water,
-                                      const fluid::ParticleState& particles, const Scratch* scratch,
-                                      const fluid::Gauge& gauge, const FaceGauge* face, double time);
+    static fluid::GaugeReading read(const GaugeQuery<ParticleMethod>& query);
 
  private:
     template <class Scheme>

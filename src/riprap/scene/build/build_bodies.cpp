@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "riprap/body/locks.hpp"
+#include "riprap/core/direction.hpp"
 #include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/direction.hpp"
 #include "riprap/scene/build/random_stream.hpp"
-#include "riprap/scene/build/sea_tables.hpp"
-#include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/freedom_words.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/scene/warnings/initial_overlaps.hpp"
 #include "riprap/sim/quantity.hpp"
 
@@ -222,11 +221,11 @@ void note_paddle(CaseBuild& build, const Value& table, std::size_t first, std::s
     if (maker == nullptr || count == first) {
         return;
     }
-    if (!makes_sea(*maker)) {
-        WavePaddle paddle{BodyId{static_cast<std::int32_t>(first)}, direction_of(get_vector(*maker, "direction")),
-                          get(*maker, "depth").place, paddle_wave(build, *maker)};
-        paddle.wave.paddle = get_text(table, "name");
-        build.paddles.push_back(std::move(paddle));
+    if (auto wave = paddle_wave(build, *maker)) {
+        wave->paddle = get_text(table, "name");
+        build.paddles.push_back({BodyId{static_cast<std::int32_t>(first)},
+                                 direction_of(get_vector(*maker, "direction")), get(*maker, "depth").place,
+                                 std::move(*wave)});
     }
     auto absorption = paddle_absorption(build, *maker);
     if (!absorption) {

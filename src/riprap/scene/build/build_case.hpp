@@ -14,6 +14,10 @@
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
 
+namespace riprap::io {
+struct OutputChoices;
+}
+
 namespace riprap::scene {
 
 class ShapeLibrary;
@@ -32,6 +36,7 @@ struct CaseBuild {
     bool is_planar;
     sim::Model& model;
     sim::State& state;
+    io::OutputChoices& outputs;
     CaseFiles& files;
     ShapeLibrary& shapes;
     std::vector<Diagnostic>& problems;
@@ -135,8 +140,8 @@ std::int32_t add_motion(CaseBuild& build, const Value& motion);
 
 /// The motion of a paddle, from wave theory; nothing, with a problem, when the wave cannot be made.
 std::optional<body::PrescribedMotion> wave_maker_motion(CaseBuild& build, const Value& table);
-/// The wave of that table.
-PaddleWave paddle_wave(const CaseBuild& build, const Value& table);
+/// The wave of that table; nothing for a sea, which has no period.
+std::optional<PaddleWave> paddle_wave(const CaseBuild& build, const Value& table);
 /// Returns the absorption of that paddle; nothing where it absorbs no waves.
 std::optional<coupling::PaddleAbsorption> paddle_absorption(CaseBuild& build, const Value& table);
 

@@ -9,7 +9,6 @@
 
 #include "riprap/coupling/particle_walls/gauge_edges.hpp"
 #include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/expand_records.hpp"
 #include "riprap/scene/build/placed_part.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/quantity.hpp"
@@ -44,7 +43,8 @@ void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int
         return;
     }
     gauge.end = to_vector(*end);
-    const bool is_line = gauge.kind == fluid::GaugeKind::surface || gauge.kind == fluid::GaugeKind::run_up;
+    const fluid::GaugeExtent extent = gauge.kind->extent;
+    const bool is_line = extent == fluid::GaugeExtent::line || extent == fluid::GaugeExtent::way;
     if (is_line && gauge.point == gauge.end) {
         build.problem(end->place, "a line without length", "an end away from the point");
     }
@@ -60,13 +60,13 @@ void check_extent(CaseBuild& build, const Value& table, fluid::Gauge& gauge, int
     }
     order_corners(gauge);
     const int flat = flat_axes(gauge, dimension);
-    if (gauge.kind == fluid::GaugeKind::flow && flat != 1) {
+    if (extent == fluid::GaugeExtent::section && flat != 1) {
         build.problem(end->place,
                       flat == 0 ? "a box where a section is asked for: its corners differ along every axis"
                                 : fmt::format("a section without extent along {} axes", flat),
                       "corners that agree along exactly one axis, the way of the flow");
     }
-    if (gauge.kind == fluid::GaugeKind::volume && flat != 0) {
+    if (extent == fluid::GaugeExtent::box && flat != 0) {
         build.problem(end->place, "a box without volume", "corners that differ along every axis");
     }
 }
@@ -77,7 +77,7 @@ std::optional<BodyId> find_carrier(CaseBuild& build, const Value& table, fluid::
     if (name == nullptr) {
         return BodyId{};
     }
-    if (gauge.kind == fluid::GaugeKind::flow || gauge.kind == fluid::GaugeKind::volume) {
+    if (!may_move(gauge.kind->extent)) {
         build.problem(name->place,
                       fmt::format("the '{}' gauge '{}' cannot move with a body", get_text(table, "kind"), gauge.name),
                       "no 'body', as rectangles and boxes keep to the axes, or another kind");
@@ -87,7 +87,7 @@ std::optional<BodyId> find_carrier(CaseBuild& build, const Value& table, fluid::
     if (!body.is_valid()) {
         return std::nullopt;
     }
-    if (gauge.kind != fluid::GaugeKind::wall_pressure) {
+    if (gauge.kind->extent != fluid::GaugeExtent::face) {
         const auto index = static_cast<std::size_t>(body.value);
         const Pose pose{build.state.bodies.position[index], build.state.bodies.orientation[index]};
         gauge.carrier = body.value;
@@ -119,15 +119,15 @@ void warn_of_cover(CaseBuild& build, const coupling::FaceGauge& face, const flui
 }
 
 /// Refuses a kind of gauge that means nothing in the fluid of the case.
-void check_kind(CaseBuild& build, const Value& table, fluid::GaugeKind kind) {
+void check_kind(CaseBuild& build, const Value& table, const fluid::GaugeKind& kind) {
     const sim::Model& model = build.model;
     if (!model.has_fluid() || sim::reads_gauge(model, kind)) {
         return;
     }
     std::vector<std::string_view> kinds;
-    for (const fluid::GaugeInfo& info : fluid::gauge_kinds()) {
-        if (sim::reads_gauge(model, info.kind)) {
-            kinds.push_back(info.name);
+    for (const fluid::GaugeKind* other : fluid::gauge_kinds()) {
+        if (sim::reads_gauge(model, *other)) {
+            kinds.push_back(other->word);
         }
     }
     build.problem(
@@ -140,7 +140,7 @@ void check_kind(CaseBuild& build, const Value& table, fluid::GaugeKind kind) {
 /// Notes the face that a transducer stands in.
 void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& gauge) {
     const double spacing = sim::fluid_spacing(build.model);
-    if (gauge.kind != fluid::GaugeKind::wall_pressure || spacing == 0 || !build.has_all_bodies) {
+    if (gauge.kind->extent != fluid::GaugeExtent::face || spacing == 0 || !build.has_all_bodies) {
         return;
     }
     const auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, build.is_dry,
@@ -194,29 +194,30 @@ void warn_of_buried(CaseBuild& build, const SourcePlace& place, const fluid::Gau
     }
     const auto warn = [&](BodyId solid, std::string_view text) {
         if (solid.is_valid()) {
-            build.warnings.push_back(to_string(
-                Diagnostic{place, fmt::format(fmt::runtime(text), gauge.name, build.model.bodies.name(solid)), ""}));
+            build.warnings.push_back(to_string(Diagnostic{
+                place, fmt::format(fmt::runtime(text), gauge.name, build.model.bodies.name(solid), gauge.kind->word),
+                ""}));
         }
     };
-    if (gauge.kind == fluid::GaugeKind::run_up) {
+    const fluid::GaugeExtent extent = gauge.kind->extent;
+    if (extent == fluid::GaugeExtent::way) {
         if (gauge.end != gauge.point) {
             warn(first_solid(build, gauge, spacing),
-                 "the run_up gauge '{}' meets '{}' at the start, and reads no farther than there");
+                 "the {2} gauge '{0}' meets '{1}' at the start, and reads no farther than there");
         }
-    } else if (gauge.kind == fluid::GaugeKind::surface) {
+    } else if (extent == fluid::GaugeExtent::line) {
         const PlacedSolids solids(build, build.is_dry, gauge.point, gauge.point);
         warn(solids.at(gauge.point, spacing),
-             "the line of the surface gauge '{}' begins inside '{}' at the start: its readings count from there, and "
+             "the line of the {2} gauge '{0}' begins inside '{1}' at the start: its readings count from there, and "
              "are 0 where no water is beyond");
-    } else if (gauge.kind == fluid::GaugeKind::pressure || gauge.kind == fluid::GaugeKind::velocity ||
-               gauge.kind == fluid::GaugeKind::level) {
+    } else if (extent == fluid::GaugeExtent::point) {
         const PlacedSolids solids(build, build.is_dry, gauge.point, gauge.point);
         const BodyId around = solids.at(gauge.point, spacing);
-        warn(around, "the gauge '{}' lies inside '{}' at the start and reads 0 there");
+        warn(around, "the gauge '{0}' lies inside '{1}' at the start and reads 0 there");
         if (!around.is_valid()) {
             constexpr double least = 0.1;  // of a spacing: a gauge on a face is beside the water
             warn(solids.at(gauge.point, least * spacing),
-                 "the gauge '{}' lies inside '{}' at the start and reads the water beside it there");
+                 "the gauge '{0}' lies inside '{1}' at the start and reads the water beside it there");
         }
     }
 }
@@ -236,9 +237,9 @@ void build_gauges(CaseBuild& build, const Value& list) {
         }
         fluid::Gauge gauge;
         gauge.name = get_text(table, "name");
-        gauge.kind = fluid::find_gauge_kind(get_text(table, "kind"))->kind;
+        gauge.kind = fluid::find_gauge_kind(get_text(table, "kind"));
         gauge.point = get_vector(table, "point");
-        check_kind(build, table, gauge.kind);
+        check_kind(build, table, *gauge.kind);
         gauge.up = build.up();
         if (!build.domain->holds(gauge.point)) {
             const Vec3 &x = gauge.point, &low = build.domain->low, &high = build.domain->high;
@@ -248,7 +249,7 @@ void build_gauges(CaseBuild& build, const Value& list) {
                           fmt::format("a point from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}) m", low.x,
                                       low.y, low.z, high.x, high.y, high.z));
         }
-        if (needs_end(gauge.kind)) {
+        if (has_end(gauge.kind->extent)) {
             check_extent(build, table, gauge, build.domain->dimension);
         } else if (const Value* end = table.find("end")) {
             build.problem(end->place, fmt::format("'end' does nothing for a '{}' gauge", get_text(table, "kind")),

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "riprap/core/index.hpp"
+#include "riprap/io/output/output_kinds.hpp"
 #include "riprap/scene/build/build_expects.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/suggest.hpp"
@@ -114,6 +115,7 @@ void read_damage(CaseBuild& build, const Value& table) {
 void build_output(CaseBuild& build) {
     const Value& output = get(build.root, "output");
     read_keys(output, output_keys(), build.model.output);
+    read_keys(output, io::output_keys(), build.outputs);
     for (const Value& probe : get(output, "probe").items) {
         build.records.insert(name_of_probe(probe));
     }

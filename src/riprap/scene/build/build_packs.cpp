@@ -9,8 +9,8 @@
 #include "riprap/geometry/voronoi.hpp"
 #include "riprap/scene/build/random_stream.hpp"
 #include "riprap/scene/build/recipe_blocks.hpp"
-#include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 
 namespace riprap::scene {
 

@@ -11,7 +11,7 @@
 #include "riprap/scene/build/recipe_blocks.hpp"
 #include "riprap/scene/build/section_files.hpp"
 #include "riprap/scene/build/section_loads.hpp"
-#include "riprap/scene/build/shape_library.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 
 namespace riprap::scene {
 

@@ -2,8 +2,8 @@
 // Time axis, gravity and settings of the solid method.
 #include <fmt/format.h>
 
+#include "riprap/core/direction.hpp"
 #include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/direction.hpp"
 #include "riprap/scene/keys/methods.hpp"
 
 namespace riprap::scene {

@@ -7,9 +7,9 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/scene/text/number_files.hpp"
 
 namespace riprap::scene {

@@ -32,6 +32,16 @@ void expand_probe(const Value& probe, Value& list) {
     }
 }
 
+std::vector<std::string_view> kinds_at_points() {
+    std::vector<std::string_view> words;
+    for (const fluid::GaugeKind* kind : fluid::gauge_kinds()) {
+        if (!has_end(kind->extent)) {
+            words.push_back(kind->word);
+        }
+    }
+    return words;
+}
+
 /// Gauges that look at a point of a line each.
 void expand_gauge(const Value& gauge, Value& list, std::vector<Diagnostic>& problems) {
     const Value* count = gauge.find("count");
@@ -44,10 +54,10 @@ void expand_gauge(const Value& gauge, Value& list, std::vector<Diagnostic>& prob
         problems.push_back({count->place, "'count' without 'end'", "an 'end': the gauges stand from point to end"});
         return;
     }
-    const fluid::GaugeInfo* info = fluid::find_gauge_kind(kind->text);
-    if (info == nullptr || needs_end(info->kind)) {
+    const fluid::GaugeKind* word = fluid::find_gauge_kind(kind->text);
+    if (word == nullptr || has_end(word->extent)) {
         problems.push_back({count->place, fmt::format("'count' does nothing for a '{}' gauge", kind->text),
-                            "a kind at a point: level, pressure, velocity or wall_pressure"});
+                            fmt::format("a kind at a point: {}", fmt::join(kinds_at_points(), ", "))});
         return;
     }
     const Vec3 from = to_vector(*point), to = to_vector(*end);
@@ -68,12 +78,6 @@ void expand_gauge(const Value& gauge, Value& list, std::vector<Diagnostic>& prob
 }
 
 }  // namespace
-
-bool needs_end(fluid::GaugeKind kind) {
-    using fluid::GaugeKind;
-    return kind == GaugeKind::surface || kind == GaugeKind::run_up || kind == GaugeKind::flow ||
-           kind == GaugeKind::volume;
-}
 
 Value expand_records(Value root, std::vector<Diagnostic>& problems) {
     Value* output = root.find("output");

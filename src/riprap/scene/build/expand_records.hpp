@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
-#include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/scene/text/value.hpp"
 
 namespace riprap::scene {
@@ -12,8 +11,5 @@ namespace riprap::scene {
 /// Writes out entries of `root` that stand for several: a [[output.probe]] with a list of quantities, and a
 /// [[output.gauge]] with a `count`, as so many entries of their own.
 Value expand_records(Value root, std::vector<Diagnostic>& problems);
-
-/// Tells whether a gauge reads along a line, through a rectangle or in a box, and not at a point.
-bool needs_end(fluid::GaugeKind kind);
 
 }  // namespace riprap::scene

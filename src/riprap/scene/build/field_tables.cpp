@@ -7,9 +7,9 @@
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build/fluid_tables.hpp"
 #include "riprap/scene/build/sea_tables.hpp"
-#include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/build/wave_range.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/wave/linear_wave.hpp"
 
 namespace riprap::scene {
@@ -43,26 +43,6 @@ bool check_wave_keys(CaseBuild& build, const Value& table, coupling::WavesAtSide
         }
     }
     return is_good;
-}
-
-/// Refuses waves so short or so long for their depth that their theory is lost in round-off, as those of a spectrum in
-/// other units are.
-bool check_length(CaseBuild& build, const Value& table, const coupling::WavesAtSide& wave) {
-    constexpr double least_kd = 1e-4, most_kd = 300;
-    const double g = norm(build.model.gravity.value);
-    const double kd = wave::linear_wave(wave.height, wave.period, wave.depth, g).kd();
-    if (kd >= least_kd && kd <= most_kd) {
-        return true;
-    }
-    const Value* period = table.find("period");
-    const Value* file = table.find("spectrum_file");
-    build.problem(period != nullptr ? period->place
-                  : file != nullptr ? file->place
-                                    : table.place,
-                  fmt::format("waves of {:.4g} s in {:.4g} m of water are too {}", wave.period, wave.depth,
-                              is_short_wave(wave.period, wave.depth, g) ? "short" : "long"),
-                  fmt::format("a period with kd = 2 pi d/L from {:g} to {:g}", least_kd, most_kd));
-    return false;
 }
 
 bool read_wave(CaseBuild& build, const Value& table, coupling::WavesAtSide& wave) {
@@ -114,7 +94,9 @@ bool read_wave(CaseBuild& build, const Value& table, coupling::WavesAtSide& wave
         build.problem(table.place, "waves without gravity", "gravity that is not zero");
         return false;
     }
-    return wave.period == 0 || check_length(build, table, wave);
+    const Value *period = table.find("period"), *file = table.find("spectrum_file");
+    const Value& place = period != nullptr ? *period : file != nullptr ? *file : table;
+    return wave.period == 0 || check_wave_length(build, place.place, wave.height, wave.period, wave.depth);
 }
 
 /// An inflow, or an outflow, on a side of the domain.

@@ -12,9 +12,9 @@
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build/placed_part.hpp"
-#include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 
 namespace riprap::scene {
 

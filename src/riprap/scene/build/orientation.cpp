@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "riprap/core/direction.hpp"
 #include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/direction.hpp"
 
 namespace riprap::scene {
 

@@ -7,18 +7,16 @@
 
 namespace riprap::scene {
 
-std::string text_of(WaveKind kind) { return key::word_of(wave_kinds(), kind); }
-
 std::string text_of(const PaddleWave& wave) {
-    if (wave.kind == WaveKind::none) {
-        return fmt::format("none, in {:.4g} m of water", wave.depth);
+    if (wave.height == 0) {
+        return fmt::format("{}, in {:.4g} m of water", wave.kind, wave.depth);
     }
     const std::string shape = wave.length > 0
                                   ? fmt::format("{:.4g} s, {:.4g} m long (kd = {:.3g}), ", wave.period, wave.length,
                                                 2 * std::numbers::pi / wave.length * wave.depth)
                                   : "";
-    return fmt::format("{}, {:.4g} m high in {:.4g} m of water, {}{:.4g} m/s, stroke {:.4g} m", text_of(wave.kind),
-                       wave.height, wave.depth, shape, wave.celerity, wave.stroke);
+    return fmt::format("{}, {:.4g} m high in {:.4g} m of water, {}{:.4g} m/s, stroke {:.4g} m", wave.kind, wave.height,
+                       wave.depth, shape, wave.celerity, wave.stroke);
 }
 
 }  // namespace riprap::scene

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/scene/build/direction.hpp"
+#include "riprap/core/direction.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
 #include "riprap/scene/text/number_files.hpp"
@@ -70,20 +70,6 @@ wave::IrregularWave waves_of(const Sea& sea, double depth, double gravity) {
                : wave::sea_of(sea.spectrum, depth, gravity, paddle_components, sea.seed);
 }
 
-/// Refuses what no piston can make, by theory or at all.
-void check_paddle(CaseBuild& build, const Value& table) {
-    const Vec3 gravity = build.model.gravity.value;
-    const double g = norm(gravity);
-    if (g == 0) {
-        build.problem(table.place, "a wave maker without gravity", "gravity that is not zero");
-    } else if (std::abs(dot(direction_of(get_vector(table, "direction")), gravity)) > 1e-9 * g) {
-        build.problem(get(table, "direction").place, "waves that go up or down", "a direction normal to gravity");
-    }
-    if (get_word(table, "paddle", paddles()) == wave::Paddle::flap) {
-        build.problem(table.place, "a flap cannot make a sea here", "paddle = \"piston\"");
-    }
-}
-
 /// Refuses seas beyond second-order theory, too high, or too long for rows.
 void check_sea(CaseBuild& build, const Value& table, const Sea& sea, double gravity) {
     const double depth = get_number(table, "depth"), end = build.model.time.end;
@@ -106,8 +92,6 @@ void check_sea(CaseBuild& build, const Value& table, const Sea& sea, double grav
 }
 
 }  // namespace
-
-bool makes_sea(const Value& table) { return get_text(table, "wave") == irregular_wave; }
 
 std::optional<Sea> read_sea(CaseBuild& build, const Value& table) {
     const Value* file = table.find("spectrum_file");
@@ -149,7 +133,6 @@ std::optional<Sea> read_sea(CaseBuild& build, const Value& table) {
 std::optional<body::SplineMotion> sea_motion(CaseBuild& build, const Value& table) {
     const std::size_t before = build.problems.size();
     const double depth = get_number(table, "depth"), g = norm(build.model.gravity.value);
-    check_paddle(build, table);
     const auto sea = read_sea(build, table);
     if (sea && g > 0) {
         check_sea(build, table, *sea, g);

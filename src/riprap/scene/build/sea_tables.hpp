@@ -21,9 +21,6 @@ struct Sea {
 /// file is scaled to the height where one is given.
 std::optional<Sea> read_sea(CaseBuild& build, const Value& table);
 
-/// Tells whether a table of motion.wave_maker asks for a sea.
-bool makes_sea(const Value& table);
-
 /// The way of a piston that makes a sea (motion.wave_maker with wave = "irregular"), in rows to the end of the run;
 /// nothing with a problem.
 std::optional<body::SplineMotion> sea_motion(CaseBuild& build, const Value& table);

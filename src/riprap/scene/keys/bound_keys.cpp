@@ -19,6 +19,14 @@ std::vector<Form> forms_of(const KeyRow& row) {
             return {form::choice(row.words)};
         case KeyKind::vector:
             return {form::vector(row.dimension, row.range)};
+        case KeyKind::direction:
+            return {form::direction()};
+        case KeyKind::axis:
+            return {form::axis()};
+        case KeyKind::text:
+            return {form::text()};
+        case KeyKind::name:
+            return {form::name()};
         case KeyKind::number:
             break;
     }
@@ -92,8 +100,12 @@ KeyValue key_value(const Value& given, KeyKind kind) {
         case KeyKind::integer:
             return given.integer;
         case KeyKind::choice:
+        case KeyKind::text:
+        case KeyKind::name:
             return given.text;
         case KeyKind::vector:
+        case KeyKind::direction:
+        case KeyKind::axis:
             return to_vector(given);
         case KeyKind::number:
             return given.is_text() ? KeyValue() : KeyValue(given.as_number());

@@ -81,6 +81,15 @@ Form table_list(const Table& (*table)(), std::int64_t min_count) {
 Form named_tables(const Table& (*table)(), std::int64_t max_count) {
     return {.kind = FormKind::named_tables, .max_count = max_count, .table = table};
 }
+Key optional_key(std::string_view name, std::vector<Form> forms, std::string help) {
+    return {name, std::move(forms), std::move(help), std::nullopt};
+}
+Key required_key(std::string_view name, std::vector<Form> forms, std::string help) {
+    return {name, std::move(forms), std::move(help), std::nullopt, true};
+}
+Key key_or(std::string_view name, std::vector<Form> forms, Value otherwise, std::string help) {
+    return {name, std::move(forms), std::move(help), std::move(otherwise)};
+}
 }  // namespace form
 
 }  // namespace riprap::scene

@@ -112,6 +112,11 @@ Form list(Form item, std::int64_t min_count, std::int64_t max_count);
 Form table(const Table& (*table)());
 Form table_list(const Table& (*table)(), std::int64_t min_count = 0);
 Form named_tables(const Table& (*table)(), std::int64_t max_count);
+
+// And rows: of a key without a default, of one that a case has to give, and of one with a default.
+Key optional_key(std::string_view name, std::vector<Form> forms, std::string help);
+Key required_key(std::string_view name, std::vector<Form> forms, std::string help);
+Key key_or(std::string_view name, std::vector<Form> forms, Value otherwise, std::string help);
 }  // namespace form
 
 // Tables that live in files of their own.

@@ -40,11 +40,11 @@ const Table& spread_table() {
         "A number that is not known exactly: `riprap run --ensemble N` draws it anew for every member, from the seed "
         "of "
         "the case, the number of the member and the key alone. Runs of one member keep what the case says.",
-        {{"key", {text()}, "Which: the path as for --set, such as \"body.gate.motion.linear.velocity.2\".", {}, true},
-         {"low", {number(dimension::plain)}, "Least value of a uniform distribution, in SI.", {}},
-         {"high", {number(dimension::plain)}, "Largest value.", {}},
-         {"mean", {number(dimension::plain)}, "Mean of a normal distribution, in SI.", {}},
-         {"deviation", {number(dimension::plain, non_negative())}, "Standard deviation.", {}}},
+        {required_key("key", {text()}, "Which: the path as for --set, such as \"body.gate.motion.linear.velocity.2\"."),
+         optional_key("low", {number(dimension::plain)}, "Least value of a uniform distribution, in SI."),
+         optional_key("high", {number(dimension::plain)}, "Largest value."),
+         optional_key("mean", {number(dimension::plain)}, "Mean of a normal distribution, in SI."),
+         optional_key("deviation", {number(dimension::plain, non_negative())}, "Standard deviation.")},
         {{GroupRule::exactly_one, {"low", "mean"}},
          {GroupRule::all_or_none, {"low", "high"}},
          {GroupRule::all_or_none, {"mean", "deviation"}}}};
@@ -60,12 +60,10 @@ const Table& fixed_point_table() {
         "fixed_point",
         "[[fixed_point]]",
         help,
-        {{"body", {text()}, "Name of the body, \"NAME[17]\" for one of many.", {}, true},
-         {"at", {vector(dimension::length)}, "The point, where it is at the start.", {}, true},
-         {"stiffness",
-          {number(dimension::stiffness, positive())},
-          "Stiffness of the spring, in every direction; a hundred contact stiffnesses when not given.",
-          {}}}};
+        {required_key("body", {text()}, "Name of the body, \"NAME[17]\" for one of many."),
+         required_key("at", {vector(dimension::length)}, "The point, where it is at the start."),
+         optional_key("stiffness", {number(dimension::stiffness, positive())},
+                      "Stiffness of the spring, in every direction; a hundred contact stiffnesses when not given.")}};
     return table;
 }
 
@@ -78,17 +76,12 @@ const Table& bolt_table() {
         "bolt",
         "[[bolt]]",
         help,
-        {{"bodies", {list(text(), 2, 2)}, "Names of the bodies at its ends; one may be fixed.", {}, true},
-         {"ends",
-          {list(vector(dimension::length), 2, 2)},
-          "Ends of the bolt at the start, in the order of the bodies.",
-          {},
-          true},
-         {"stiffness", {number(dimension::stiffness, positive())}, "E A / l of the bolt.", {}, true},
-         {"pretension",
-          {number(dimension::force, non_negative())},
-          "Pretension: force at the start.",
-          Value::of(0.0)}}};
+        {required_key("bodies", {list(text(), 2, 2)}, "Names of the bodies at its ends; one may be fixed."),
+         required_key("ends", {list(vector(dimension::length), 2, 2)},
+                      "Ends of the bolt at the start, in the order of the bodies."),
+         required_key("stiffness", {number(dimension::stiffness, positive())}, "E A / l of the bolt."),
+         key_or("pretension", {number(dimension::force, non_negative())}, Value::of(0.0),
+                "Pretension: force at the start.")}};
     return table;
 }
 
@@ -97,63 +90,47 @@ Table rows_of_case() {
         "case",
         "(top of the file)",
         "Title and length of the experiment, and how time advances.",
-        {{"title", {text()}, "One line that says what the case shows.", Value::of("")},
-         {"dimension",
-          {integer(2, 3)},
-          "3, or 2 for a planar scene: shapes are prisms one unit thick whose motion stays in the x-y plane.",
-          Value::of(3)},
-         {"gravity",
-          {vector(dimension::acceleration), form::table(gravity_table)},
-          "Gravity as a vector, or a table for gravity that grows or turns. No axis is up by nature; keys of geology "
-          "(dip) take +z as up.",
-          {},
-          true},
-         {"end", {number(dimension::time, positive())}, "Physical time at which the run ends.", {}, true},
-         {"time_step",
-          {choice({"auto"}), number(dimension::time, positive())},
-          "\"auto\": time_step_factor times the stability limit, shortened so that the last step meets the end, and "
-          "halved for a while after a step that was refused. A number is refused above the limit unless "
-          "force_time_step is set.",
-          Value::of("auto")},
-         {"settle_static",
-          {boolean()},
-          "Bodies settle without inertia: implicit methods start each step at rest, explicit ones take a tenth of the "
-          "velocities in each step, explicit_dda a hundredth. A body that cannot stand creeps meanwhile, and starts "
-          "from rest at time 0.",
-          Value::of(false)},
-         {"settle_time_step",
-          {number(dimension::time, positive())},
-          "Time step while bodies settle; that of the run when not given.",
-          {}},
-         {"settle_friction",
-          {number(dimension::plain, non_negative())},
-          "Friction coefficient of all contacts while bodies settle, instead of theirs: a high one holds what would "
-          "slide, until time 0; none lets a heap lie close.",
-          {}},
-         {"seed", {integer(0, 9e15)}, "Seed of everything random in the case.", Value::of(1)},
-         {"material",
-          {named_tables(material_table, limits::materials)},
-          "Materials by name; a case of water alone needs none.",
-          Value::table()},
-         {"contact", {form::table(contact_table)}, "Contact of two materials.", Value::table()},
-         {"solid", {form::table(solid_table)}, "Method and settings of the solids.", Value::table()},
-         {"fluid", {form::table(fluid_table)}, "Water, when there is any.", {}},
-         {"body", {table_list(body_table)}, "Blocks, walls and grounds; one entry may stand for many.", Value::array()},
-         {"pack", {table_list(pack_table)}, "Many blocks from a recipe.", Value::array()},
-         {"rock_mass", {table_list(rock_mass_table)}, "A region cut into blocks by joint sets.", Value::array()},
-         {"section", {table_list(section_table)}, "A planar section cut into blocks along lines.", Value::array()},
-         {"fixed_point", {table_list(fixed_point_table)}, "Points of bodies held in place.", Value::array()},
-         {"bolt", {table_list(bolt_table)}, "Rock bolts between bodies.", Value::array()},
-         {"spread",
-          {table_list(spread_table)},
-          "Numbers that differ between the members of an ensemble.",
-          Value::array()},
-         {"vary",
-          {table_list(vary_table)},
-          "Values at which `riprap matrix` and `riprap validate` run the case again.",
-          Value::array()},
-         {"output", {form::table(output_table)}, "Files to write, and their intervals.", Value::table()},
-         {"expect", {table_list(expect_table)}, "Answers the run must reach: a case is also a test.", Value::array()}}};
+        {key_or("title", {text()}, Value::of(""), "One line that says what the case shows."),
+         key_or("dimension", {integer(2, 3)}, Value::of(3),
+                "3, or 2 for a planar scene: shapes are prisms one unit thick whose motion stays in the x-y plane."),
+         required_key("gravity", {vector(dimension::acceleration), form::table(gravity_table)},
+                      "Gravity as a vector, or a table for gravity that grows or turns. No axis is up by nature; keys "
+                      "of geology (dip) take +z as up."),
+         required_key("end", {number(dimension::time, positive())}, "Physical time at which the run ends."),
+         key_or("time_step", {choice({"auto"}), number(dimension::time, positive())}, Value::of("auto"),
+                "\"auto\": time_step_factor times the stability limit, shortened so that the last step meets the end, "
+                "and halved for a while after a step that was refused. A number is refused above the limit unless "
+                "force_time_step is set."),
+         key_or("settle_static", {boolean()}, Value::of(false),
+                "Bodies settle without inertia: implicit methods start each step at rest, explicit ones take a tenth "
+                "of the velocities in each step, explicit_dda a hundredth. A body that cannot stand creeps meanwhile, "
+                "and starts from rest at time 0."),
+         optional_key("settle_time_step", {number(dimension::time, positive())},
+                      "Time step while bodies settle; that of the run when not given."),
+         optional_key("settle_friction", {number(dimension::plain, non_negative())},
+                      "Friction coefficient of all contacts while bodies settle, instead of theirs: a high one holds "
+                      "what would slide, until time 0; none lets a heap lie close."),
+         key_or("seed", {integer(0, 9e15)}, Value::of(1), "Seed of everything random in the case."),
+         key_or("material", {named_tables(material_table, limits::materials)}, Value::table(),
+                "Materials by name; a case of water alone needs none."),
+         key_or("contact", {form::table(contact_table)}, Value::table(), "Contact of two materials."),
+         key_or("solid", {form::table(solid_table)}, Value::table(), "Method and settings of the solids."),
+         optional_key("fluid", {form::table(fluid_table)}, "Water, when there is any."),
+         key_or("body", {table_list(body_table)}, Value::array(),
+                "Blocks, walls and grounds; one entry may stand for many."),
+         key_or("pack", {table_list(pack_table)}, Value::array(), "Many blocks from a recipe."),
+         key_or("rock_mass", {table_list(rock_mass_table)}, Value::array(), "A region cut into blocks by joint sets."),
+         key_or("section", {table_list(section_table)}, Value::array(),
+                "A planar section cut into blocks along lines."),
+         key_or("fixed_point", {table_list(fixed_point_table)}, Value::array(), "Points of bodies held in place."),
+         key_or("bolt", {table_list(bolt_table)}, Value::array(), "Rock bolts between bodies."),
+         key_or("spread", {table_list(spread_table)}, Value::array(),
+                "Numbers that differ between the members of an ensemble."),
+         key_or("vary", {table_list(vary_table)}, Value::array(),
+                "Values at which `riprap matrix` and `riprap validate` run the case again."),
+         key_or("output", {form::table(output_table)}, Value::table(), "Files to write, and their intervals."),
+         key_or("expect", {table_list(expect_table)}, Value::array(),
+                "Answers the run must reach: a case is also a test.")}};
 }
 
 }  // namespace
@@ -176,10 +153,10 @@ const Table& gravity_rotation_table() {
         "gravity.rotation",
         "gravity = { rotation = { ... } }",
         "Turns gravity at a constant rate about an axis: a tilting platform without moving it.",
-        {{"axis", {axis()}, "Axis of the turn; gravity turns by the right-hand rule.", {}, true},
-         {"rate", {number(dimension::angular_velocity)}, "Angular velocity of gravity.", {}, true},
-         {"start", {number(dimension::time, non_negative())}, "Start of the turn.", Value::of(0.0)},
-         {"stop", {number(dimension::time, non_negative())}, "End of the turn; none when not given.", {}}}};
+        {required_key("axis", {axis()}, "Axis of the turn; gravity turns by the right-hand rule."),
+         required_key("rate", {number(dimension::angular_velocity)}, "Angular velocity of gravity."),
+         key_or("start", {number(dimension::time, non_negative())}, Value::of(0.0), "Start of the turn."),
+         optional_key("stop", {number(dimension::time, non_negative())}, "End of the turn; none when not given.")}};
     return table;
 }
 
@@ -190,12 +167,10 @@ const Table& gravity_table() {
         "gravity",
         "[gravity]",
         "Gravity as a function of time.",
-        {{"value", {vector(dimension::acceleration)}, "Gravity at full strength, before any turn.", {}, true},
-         {"ramp",
-          {number(dimension::time, non_negative())},
-          "Gravity grows linearly from zero over this time.",
-          Value::of(0.0)},
-         {"rotation", {form::table(gravity_rotation_table)}, "Turns gravity.", {}}}};
+        {required_key("value", {vector(dimension::acceleration)}, "Gravity at full strength, before any turn."),
+         key_or("ramp", {number(dimension::time, non_negative())}, Value::of(0.0),
+                "Gravity grows linearly from zero over this time."),
+         optional_key("rotation", {form::table(gravity_rotation_table)}, "Turns gravity.")}};
     return table;
 }
 

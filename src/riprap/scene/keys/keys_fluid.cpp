@@ -17,12 +17,11 @@ const Table& fluid_domain_table() {
         "domain = { ... }",
         "The box that water may be in. What leaves it through its top is counted and let go, up to a thousandth of the "
         "water; more, or a particle that leaves through another side that is not periodic, ends the run.",
-        {{"low", {vector(dimension::length)}, "Low corner.", {}, true},
-         {"high", {vector(dimension::length)}, "High corner.", {}, true},
-         {"periodic",
-          {list(boolean(), 2, 3)},
-          "Whether what leaves through one side enters through the other, along x, y and z; not when not given.",
-          {}}}};
+        {required_key("low", {vector(dimension::length)}, "Low corner."),
+         required_key("high", {vector(dimension::length)}, "High corner."),
+         optional_key(
+             "periodic", {list(boolean(), 2, 3)},
+             "Whether what leaves through one side enters through the other, along x, y and z; not when not given.")}};
     return table;
 }
 
@@ -30,8 +29,8 @@ const Table& fluid_box_table() {
     static const Table table{"fluid.region.box",
                              "box = { ... }",
                              "A box along the axes.",
-                             {{"low", {vector(dimension::length)}, "Low corner.", {}, true},
-                              {"high", {vector(dimension::length)}, "High corner.", {}, true}}};
+                             {required_key("low", {vector(dimension::length)}, "Low corner."),
+                              required_key("high", {vector(dimension::length)}, "High corner.")}};
     return table;
 }
 
@@ -41,16 +40,14 @@ const Table& fluid_region_table() {
         "[[fluid.region]]",
         "Water at the start: what lies in the region, below its level and outside every solid. The whole domain when "
         "neither box nor shape is given. All regions share one lattice; where they overlap the first one counts.",
-        {{"box", {form::table(fluid_box_table)}, "The region as a box.", {}},
-         {"shape", {form::table(shape_table)}, "The region as a shape; not a half-space.", {}},
-         {"position", {vector(dimension::length)}, "Position of the origin of the shape.", Value::of(Vec3{})},
-         {"orientation", {form::table(orientation_table)}, "Orientation of the shape.", {}},
-         {"level",
-          {number(dimension::length)},
-          "Height of the surface at the start, against gravity from the origin: z where gravity points down z. At most "
-          "the top of the region, which it is when not given.",
-          {}},
-         {"velocity", {vector(dimension::velocity)}, "Velocity at the start.", Value::of(Vec3{})}},
+        {optional_key("box", {form::table(fluid_box_table)}, "The region as a box."),
+         optional_key("shape", {form::table(shape_table)}, "The region as a shape; not a half-space."),
+         key_or("position", {vector(dimension::length)}, Value::of(Vec3{}), "Position of the origin of the shape."),
+         optional_key("orientation", {form::table(orientation_table)}, "Orientation of the shape."),
+         optional_key("level", {number(dimension::length)},
+                      "Height of the surface at the start, against gravity from the origin: z where gravity points "
+                      "down z. At most the top of the region, which it is when not given."),
+         key_or("velocity", {vector(dimension::velocity)}, Value::of(Vec3{}), "Velocity at the start.")},
         {{GroupRule::at_most_one, {"box", "shape"}}}};
     return table;
 }
@@ -64,15 +61,13 @@ const Table& fluid_sponge_table() {
         "A box in which water is slowed down ever more along one direction, so that waves die before they come back. "
         "The "
         "energy is booked as fluid.absorbed.",
-        {{"low", {vector(dimension::length)}, "Low corner.", {}, true},
-         {"high", {vector(dimension::length)}, "High corner.", {}, true},
-         {"towards", {way}, "The direction along which it grows, from nothing.", {}, true},
-         {"rate",
-          {choice({"auto"}), number(dimension::frequency, positive())},
-          "At its end; it grows as the square. \"auto\": that which sends a long wave back with a hundredth of its "
-          "height.",
-          Value::of("auto")},
-         {"velocity", {vector(dimension::velocity)}, "Velocity of a steady current.", Value::of(Vec3{})}}};
+        {required_key("low", {vector(dimension::length)}, "Low corner."),
+         required_key("high", {vector(dimension::length)}, "High corner."),
+         required_key("towards", {way}, "The direction along which it grows, from nothing."),
+         key_or("rate", {choice({"auto"}), number(dimension::frequency, positive())}, Value::of("auto"),
+                "At its end; it grows as the square. \"auto\": that which sends a long wave back with a hundredth of "
+                "its height."),
+         key_or("velocity", {vector(dimension::velocity)}, Value::of(Vec3{}), "Velocity of a steady current.")}};
     return table;
 }
 
@@ -82,33 +77,27 @@ const Table& fluid_wave_table() {
         "[[fluid.wave]]",
         "Waves that come in through a side of the domain, by theory (docs/theory/waves.md), or a side that lets waves "
         "out.",
-        {{"towards", {way}, "Direction of the waves: \"x\" comes in through the low side along x.", {}, true},
-         {"wave",
-          {choice(side_waves())},
-          "Steady waves of finite height, by the stream function or to Stokes' second order; one solitary wave of any "
-          "height; one by the second-order formulas of "
-          "[Ding2021]; a sea; none, for a side that only absorbs.",
-          Value::of("regular")},
-         {"height", {number(dimension::length, positive())}, "Crest to trough; of a sea H_m0.", {}},
-         {"depth", {number(dimension::length, positive())}, "Depth of still water at the side.", {}, true},
-         {"period", {number(dimension::time, positive())}, "Period of regular waves; peak period of a sea.", {}},
-         {"absorb", {boolean()}, "Long waves that arrive at the side go out: kd below pi/10.", Value::of(false)},
-         {"crest_time",
-          {number(dimension::time, non_negative())},
-          "Time at which the first crest enters; when not given, the earliest that still water at the start allows.",
-          {}},
-         {"ramp",
-          {number(dimension::time, non_negative())},
-          "Time over which regular waves and seas grow; two periods when not given.",
-          {}},
-         {"spectrum", {choice(spectra())}, "Spectrum of a sea.", Value::of("jonswap")},
-         {"gamma", {number(dimension::plain, between(1, 10))}, "Peak enhancement of jonswap.", Value::of(3.3)},
-         {"spectrum_file",
-          {path()},
-          "Spectrum of a sea: table (docs/howto/tables.md) with rows f [1/s], S [m^2 s], instead of 'spectrum' and "
-          "'period'; scaled to 'height' where that is given.",
-          {}},
-         {"seed", {integer(0, 1e15)}, "Seed of the phases of a sea.", Value::of(std::int64_t{1})}}};
+        {required_key("towards", {way}, "Direction of the waves: \"x\" comes in through the low side along x."),
+         key_or(
+             "wave", {choice(side_waves())}, Value::of("regular"),
+             "Steady waves of finite height, by the stream function or to Stokes' second order; one solitary wave of "
+             "any height; one by the second-order formulas of [Ding2021]; a sea; none, for a side that only absorbs."),
+         optional_key("height", {number(dimension::length, positive())}, "Crest to trough; of a sea H_m0."),
+         required_key("depth", {number(dimension::length, positive())}, "Depth of still water at the side."),
+         optional_key("period", {number(dimension::time, positive())},
+                      "Period of regular waves; peak period of a sea."),
+         key_or("absorb", {boolean()}, Value::of(false), "Long waves that arrive at the side go out: kd below pi/10."),
+         optional_key("crest_time", {number(dimension::time, non_negative())},
+                      "Time at which the first crest enters; when not given, the earliest that still water at the "
+                      "start allows."),
+         optional_key("ramp", {number(dimension::time, non_negative())},
+                      "Time over which regular waves and seas grow; two periods when not given."),
+         key_or("spectrum", {choice(spectra())}, Value::of("jonswap"), "Spectrum of a sea."),
+         key_or("gamma", {number(dimension::plain, between(1, 10))}, Value::of(3.3), "Peak enhancement of jonswap."),
+         optional_key("spectrum_file", {path()},
+                      "Spectrum of a sea: table (docs/howto/tables.md) with rows f [1/s], S [m^2 s], instead of "
+                      "'spectrum' and 'period'; scaled to 'height' where that is given."),
+         key_or("seed", {integer(0, 1e15)}, Value::of(std::int64_t{1}), "Seed of the phases of a sea.")}};
     return table;
 }
 
@@ -118,24 +107,19 @@ const Table& fluid_porous_table() {
         "[[fluid.porous]]",
         "Stones that water flows through: cells whose middle lies in the box or shape; a closed surface from an STL or "
         "OBJ file may have any form. The last zone counts where they overlap (docs/theory/grid.md).",
-        {{"box", {form::table(fluid_box_table)}, "The zone as a box.", {}},
-         {"shape", {form::table(shape_table)}, "The zone as a shape; not a half-space.", {}},
-         {"position", {vector(dimension::length)}, "Position of the origin of the shape.", Value::of(Vec3{})},
-         {"orientation", {form::table(orientation_table)}, "Orientation of the shape.", {}},
-         {"porosity",
-          {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
-          "Share of pores.",
-          {},
-          true},
-         {"grain_size", {number(dimension::length, positive())}, "D_50 of the stones.", {}, true},
-         {"linear", {number(dimension::plain, non_negative())}, "mu_1 or alpha of the closure.", {}, true},
-         {"quadratic", {number(dimension::plain, non_negative())}, "mu_2 or beta of the closure.", {}, true},
-         {"added_mass", {number(dimension::plain, non_negative())}, "C_A of closure \"ding\".", Value::of(0.34)},
-         {"keulegan_carpenter",
-          {number(dimension::plain, non_negative())},
-          "K_C of waves in the pores, for the factor 1 + 7.5/K_C; 0: steady flow.",
-          Value::of(0.0)},
-         {"closure", {choice(porous_closures())}, "Formulas of the resistance.", Value::of("ding")}},
+        {optional_key("box", {form::table(fluid_box_table)}, "The zone as a box."),
+         optional_key("shape", {form::table(shape_table)}, "The zone as a shape; not a half-space."),
+         key_or("position", {vector(dimension::length)}, Value::of(Vec3{}), "Position of the origin of the shape."),
+         optional_key("orientation", {form::table(orientation_table)}, "Orientation of the shape."),
+         required_key("porosity", {number(dimension::plain, {.low = 0, .high = 1, .is_low_open = true})},
+                      "Share of pores."),
+         required_key("grain_size", {number(dimension::length, positive())}, "D_50 of the stones."),
+         required_key("linear", {number(dimension::plain, non_negative())}, "mu_1 or alpha of the closure."),
+         required_key("quadratic", {number(dimension::plain, non_negative())}, "mu_2 or beta of the closure."),
+         key_or("added_mass", {number(dimension::plain, non_negative())}, Value::of(0.34), "C_A of closure \"ding\"."),
+         key_or("keulegan_carpenter", {number(dimension::plain, non_negative())}, Value::of(0.0),
+                "K_C of waves in the pores, for the factor 1 + 7.5/K_C; 0: steady flow."),
+         key_or("closure", {choice(porous_closures())}, Value::of("ding"), "Formulas of the resistance.")},
         {{GroupRule::exactly_one, {"box", "shape"}}}};
     return table;
 }
@@ -147,16 +131,16 @@ const Table& fluid_inflow_table() {
         "Water enters through a rectangle (a line in a planar scene) at a given speed; its pressure is that of the "
         "water in "
         "front of it. Leave room for its layers, a support and one spacing (four spacings by default), behind it.",
-        {{"name", {form::name()}, "Unique among the openings.", {}, true},
-         {"low", {vector(dimension::length)}, "A corner.", {}, true},
-         {"high", {vector(dimension::length)}, "The opposite corner, equal along the axis of `towards`.", {}, true},
-         {"towards", {way}, "The way the water goes.", {}, true},
-         {"speed", {number(dimension::velocity, positive())}, "Speed of the water that enters.", {}, true},
-         {"ramp", {number(dimension::time, non_negative())}, "Time in which the speed grows from 0.", Value::of(0.0)},
-         {"level",
-          {number(dimension::length)},
-          "Height up to which water enters, from the origin against gravity; all of the rectangle when not given.",
-          {}}}};
+        {required_key("name", {form::name()}, "Unique among the openings."),
+         required_key("low", {vector(dimension::length)}, "A corner."),
+         required_key("high", {vector(dimension::length)}, "The opposite corner, equal along the axis of `towards`."),
+         required_key("towards", {way}, "The way the water goes."),
+         required_key("speed", {number(dimension::velocity, positive())}, "Speed of the water that enters."),
+         key_or("ramp", {number(dimension::time, non_negative())}, Value::of(0.0),
+                "Time in which the speed grows from 0."),
+         optional_key("level", {number(dimension::length)},
+                      "Height up to which water enters, from the origin against gravity; all of the rectangle when not "
+                      "given.")}};
     return table;
 }
 
@@ -166,15 +150,14 @@ const Table& fluid_outflow_table() {
         "[[fluid.outflow]]",
         "Water that passes a rectangle (a line in a planar scene) is gone. Where neither speed nor level is given it "
         "flows out freely: for overfalls and water that runs faster than its waves.",
-        {{"name", {form::name()}, "Unique among the openings.", {}, true},
-         {"low", {vector(dimension::length)}, "A corner.", {}, true},
-         {"high", {vector(dimension::length)}, "The opposite corner, equal along the axis of `towards`.", {}, true},
-         {"towards", {way}, "The way the water goes.", {}, true},
-         {"speed", {number(dimension::velocity, positive())}, "At which it is drawn off.", {}},
-         {"level",
-          {number(dimension::length)},
-          "Height of still water behind it, from the origin against gravity: the outflow has its pressure.",
-          {}}},
+        {required_key("name", {form::name()}, "Unique among the openings."),
+         required_key("low", {vector(dimension::length)}, "A corner."),
+         required_key("high", {vector(dimension::length)}, "The opposite corner, equal along the axis of `towards`."),
+         required_key("towards", {way}, "The way the water goes."),
+         optional_key("speed", {number(dimension::velocity, positive())}, "At which it is drawn off."),
+         optional_key(
+             "level", {number(dimension::length)},
+             "Height of still water behind it, from the origin against gravity: the outflow has its pressure.")},
         {{GroupRule::at_most_one, {"speed", "level"}}}};
     return table;
 }
@@ -182,29 +165,23 @@ const Table& fluid_outflow_table() {
 /// Rows that methods may name among their scene_keys.
 std::vector<Key> scene_rows() {
     std::vector<Key> rows{
-        {"sound_speed",
-         {choice({"auto"}), number(dimension::velocity, positive())},
-         "Sound speed of the model. \"auto\": ten times the largest of sqrt(g H), expected_speed and the speeds that "
-         "the case "
-         "gives water and moving bodies, H the depth of the water at the start. Density then varies by about 1 %.",
-         Value::of("auto")},
-        {"expected_speed",
-         {choice({"auto"}), number(dimension::velocity, non_negative())},
-         "The highest speed that water will reach, for the sound speed. \"auto\": that of the tip of a dam break, "
-         "2 sqrt(g H).",
-         Value::of("auto")},
-        {"domain", {form::table(fluid_domain_table)}, "Box that water may be in.", {}, true},
-        {"region", {table_list(fluid_region_table, 1)}, "Water at the start.", {}, true},
-        {"levels",
-         {list(list(number(dimension::plain), 2, 2), 0, 10'000)},
-         "Pairs of a time [s] and the level of the water then [m], in rising order of time: linear between them and "
-         "constant beyond. Each region keeps its own level where none are given.",
-         Value::array()},
-        {"wave", {table_list(fluid_wave_table)}, "Sides that waves come in through or go out.", Value::array()},
-        {"porous", {table_list(fluid_porous_table)}, "Stones that water flows through.", Value::array()},
-        {"sponge", {table_list(fluid_sponge_table)}, "Zones that damp waves.", Value::array()},
-        {"inflow", {table_list(fluid_inflow_table)}, "Inflow boundaries.", Value::array()},
-        {"outflow", {table_list(fluid_outflow_table)}, "Outflow boundaries.", Value::array()}};
+        key_or("sound_speed", {choice({"auto"}), number(dimension::velocity, positive())}, Value::of("auto"),
+               "Sound speed of the model. \"auto\": ten times the largest of sqrt(g H), expected_speed and the speeds "
+               "that the case gives water and moving bodies, H the depth of the water at the start. Density then "
+               "varies by about 1 %."),
+        key_or("expected_speed", {choice({"auto"}), number(dimension::velocity, non_negative())}, Value::of("auto"),
+               "The highest speed that water will reach, for the sound speed. \"auto\": that of the tip of a dam "
+               "break, 2 sqrt(g H)."),
+        required_key("domain", {form::table(fluid_domain_table)}, "Box that water may be in."),
+        required_key("region", {table_list(fluid_region_table, 1)}, "Water at the start."),
+        key_or("levels", {list(list(number(dimension::plain), 2, 2), 0, 10'000)}, Value::array(),
+               "Pairs of a time [s] and the level of the water then [m], in rising order of time: linear between them "
+               "and constant beyond. Each region keeps its own level where none are given."),
+        key_or("wave", {table_list(fluid_wave_table)}, Value::array(), "Sides that waves come in through or go out."),
+        key_or("porous", {table_list(fluid_porous_table)}, Value::array(), "Stones that water flows through."),
+        key_or("sponge", {table_list(fluid_sponge_table)}, Value::array(), "Zones that damp waves."),
+        key_or("inflow", {table_list(fluid_inflow_table)}, Value::array(), "Inflow boundaries."),
+        key_or("outflow", {table_list(fluid_outflow_table)}, Value::array(), "Outflow boundaries.")};
     const std::vector<Key> bound = rows_of(fluid_model_keys());
     rows.insert(rows.end(), bound.begin(), bound.end());
     return rows;

@@ -40,11 +40,8 @@ const Table& contact_pair_table() {
         Table made{"contact.pair",
                    "[[contact.pair]]",
                    "Values for one pair of materials, instead of the mixed ones.",
-                   {{"materials",
-                     {list(name(), 2, 2)},
-                     "The two materials; twice the same for contacts within one.",
-                     {},
-                     true}}};
+                   {required_key("materials", {list(name(), 2, 2)},
+                                 "The two materials; twice the same for contacts within one.")}};
         add_rows(material::pair_keys(), made);
         return made;
     }();
@@ -60,7 +57,7 @@ const Table& material_table() {
             "[material.NAME]",
             "Substance of a block and behaviour of its surface. Contact values of two materials follow from [contact]. "
             "A value that the chosen solid method does not read is told by a warning.",
-            {{"density", {number(dimension::density, positive())}, "Mass per volume of solid.", {}, true}}};
+            {required_key("density", {number(dimension::density, positive())}, "Mass per volume of solid.")}};
         add_rows(material::material_keys(), made);
         return made;
     }();
@@ -76,32 +73,22 @@ const Table& contact_table() {
         "rules must be "
         "given where materials differ in values that the solid method reads. Stiffness ratio and damping use the mean, "
         "the kinetic share friction_mixing.",
-        {with_readers({"friction_mixing",
-                       {choice(mixing_rules())},
-                       "Rule for the friction coefficient and the kinetic share of spheres; required when materials "
-                       "differ in either that the solid method reads.",
-                       {}},
+        {with_readers(optional_key("friction_mixing", {choice(mixing_rules())},
+                                   "Rule for the friction coefficient and the kinetic share of spheres; required when "
+                                   "materials differ in either that the solid method reads."),
                       Property::friction),
-         with_readers({"cohesion_mixing",
-                       {choice(mixing_rules())},
-                       "Rule for cohesion; required when materials differ in it.",
-                       {}},
+         with_readers(optional_key("cohesion_mixing", {choice(mixing_rules())},
+                                   "Rule for cohesion; required when materials differ in it."),
                       Property::cohesion),
-         with_readers({"restitution_mixing",
-                       {choice(mixing_rules())},
-                       "Rule for restitution; required when materials differ in it.",
-                       {}},
+         with_readers(optional_key("restitution_mixing", {choice(mixing_rules())},
+                                   "Rule for restitution; required when materials differ in it."),
                       Property::restitution),
-         with_readers({"rolling_mixing",
-                       {choice(mixing_rules())},
-                       "Rule for the rolling friction of spheres; required when materials differ in it.",
-                       {}},
+         with_readers(optional_key("rolling_mixing", {choice(mixing_rules())},
+                                   "Rule for the rolling friction of spheres; required when materials differ in it."),
                       Property::rolling_friction),
-         {"max_initial_overlap",
-          {number(dimension::plain, positive())},
-          "Bodies that start deeper in each other than this share of the smaller inscribed radius are refused.",
-          Value::of(0.1)},
-         {"pair", {table_list(contact_pair_table)}, "Values for one pair of materials.", Value::array()}}};
+         key_or("max_initial_overlap", {number(dimension::plain, positive())}, Value::of(0.1),
+                "Bodies that start deeper in each other than this share of the smaller inscribed radius are refused."),
+         key_or("pair", {table_list(contact_pair_table)}, Value::array(), "Values for one pair of materials.")}};
     return table;
 }
 

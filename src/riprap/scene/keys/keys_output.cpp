@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "riprap/io/output/output_kinds.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/sim/abilities.hpp"
 #include "riprap/sim/quantity.hpp"
@@ -25,12 +26,23 @@ std::vector<std::string_view> quantity_names() {
     return names;
 }
 
-std::vector<std::string_view> gauge_kinds() {
-    std::vector<std::string_view> names;
-    for (const fluid::GaugeInfo& info : fluid::gauge_kinds()) {
-        names.push_back(info.name);
+/// The words of kinds of gauges that look at such places.
+std::vector<std::string_view> gauge_words(bool (*looks_at)(fluid::GaugeExtent)) {
+    std::vector<std::string_view> words;
+    for (const fluid::GaugeKind* kind : fluid::gauge_kinds()) {
+        if (looks_at(kind->extent)) {
+            words.push_back(kind->word);
+        }
     }
-    return names;
+    return words;
+}
+
+std::string gauge_help() {
+    std::string help;
+    for (const fluid::GaugeKind* kind : fluid::gauge_kinds()) {
+        help += fmt::format("{}{}: {}.", help.empty() ? "" : " ", kind->word, kind->help);
+    }
+    return help;
 }
 
 const Table& probe_table() {
@@ -38,20 +50,16 @@ const Table& probe_table() {
         "output.probe",
         "[[output.probe]]",
         "A time history in probes.csv. Vectors give the columns NAME.x, NAME.y and NAME.z.",
-        {{"name", {form::name()}, "Name of the columns; BODY.QUANTITY when not given.", {}},
-         {"body", {text()}, "Name of a body, \"NAME[17]\" for one of many; the whole scene when not given.", {}},
-         {"at",
-          {vector(dimension::length)},
-          "A point of the body, where it is at the start: position, displacement, distance, velocity and speed are "
-          "then "
-          "those of this point, which moves, turns and strains with the body. The centre of mass when not given.",
-          {}},
-         {"quantity",
-          {choice(quantity_names()), list(choice(quantity_names()), 1, 32)},
-          "Quantity to record. A list of several makes a probe of each: BODY.QUANTITY, or NAME.QUANTITY where there is "
-          "a name.",
-          {},
-          true}}};
+        {optional_key("name", {form::name()}, "Name of the columns; BODY.QUANTITY when not given."),
+         optional_key("body", {text()},
+                      "Name of a body, \"NAME[17]\" for one of many; the whole scene when not given."),
+         optional_key("at", {vector(dimension::length)},
+                      "A point of the body, where it is at the start: position, displacement, distance, velocity and "
+                      "speed are then those of this point, which moves, turns and strains with the body. The centre of "
+                      "mass when not given."),
+         required_key("quantity", {choice(quantity_names()), list(choice(quantity_names()), 1, 32)},
+                      "Quantity to record. A list of several makes a probe of each: BODY.QUANTITY, or NAME.QUANTITY "
+                      "where there is a name.")}};
     return table;
 }
 
@@ -60,33 +68,21 @@ const Table& gauge_table() {
         "output.gauge",
         "[[output.gauge]]",
         "An instrument in the water: columns of probes.csv, and a name for [[expect]]. A dry place reads 0.",
-        {{"name", {form::name()}, "Name of the column; velocities give NAME.x, NAME.y and NAME.z.", {}, true},
-         {"kind",
-          {choice(gauge_kinds())},
-          "pressure, velocity: at a point in the water. wall_pressure: on the face of a body nearest to the point, a "
-          "spacing away at most: force over area in the last step, as a transducer in it reads it; it stays with the "
-          "body, reads 0 while covered and nothing before the first step. level: height of the water column above a "
-          "point at the bed, voids left out. surface: distance along the line from point to end at which water ends "
-          "for the last time. run_up: likewise, for the first time; lay the line one spacing above the slope. flow: "
-          "through the rectangle between point and end, positive along its axis. volume: of the water in the box "
-          "between point and end.",
-          {},
-          true},
-         {"body",
-          {text()},
-          "Name of a body that it moves and turns with, point and end then being where they are at the start; for "
-          "wall_pressure, whose face it is. Velocities and what is up stay those of the world; beyond the domain it "
-          "reads 0. Not for flow and volume.",
-          {}},
-         {"point", {vector(dimension::length)}, "Where; start of the line; a corner.", {}, true},
-         {"end",
-          {vector(dimension::length)},
-          "End of the line; the opposite corner. With a kind that looks at a point only beside count.",
-          {}},
-         {"count",
-          {integer(2, 1000)},
-          "A profile: so many gauges from point to end, NAME_1, NAME_2 and on. For kinds that look at a point.",
-          {}}}};
+        {required_key("name", {form::name()}, "Name of the column; velocities give NAME.x, NAME.y and NAME.z."),
+         required_key("kind", {choice(gauge_words([](fluid::GaugeExtent) { return true; }))}, gauge_help()),
+         optional_key("body", {text()},
+                      fmt::format("Name of a body that it moves and turns with, point and end then being where they "
+                                  "are at the start; for {}, whose face it is. Velocities and what is up stay those of "
+                                  "the world; beyond the domain it reads 0. Not for {}.",
+                                  fmt::join(gauge_words([](auto extent) { return extent == fluid::GaugeExtent::face; }),
+                                            " and "),
+                                  fmt::join(gauge_words([](auto extent) { return !may_move(extent); }), " and "))),
+         required_key("point", {vector(dimension::length)}, "Where; start of the line; a corner."),
+         optional_key("end", {vector(dimension::length)},
+                      "End of the line; the opposite corner. With a kind that looks at a point only beside count."),
+         optional_key(
+             "count", {integer(2, 1000)},
+             "A profile: so many gauges from point to end, NAME_1, NAME_2 and on. For kinds that look at a point.")}};
     return table;
 }
 
@@ -146,13 +142,11 @@ const Table& damage_table() {
         "[[output.damage]]",
         "Damage of a layer of armour units: columns NAME.displaced, the units that have moved farther than `distance` "
         "since time 0, and NAME.n_od, that number per strip as wide as the nominal diameter D_n.",
-        {{"name", {form::name()}, "Name of the columns.", {}, true},
-         {"bodies", {list(text(), 1, 64)}, "Names of [[body]] or [[pack]]: all units of each.", {}, true},
-         {"distance", {number(dimension::length, positive())}, "D_n when not given.", {}},
-         {"width",
-          {number(dimension::length, positive())},
-          "Width of the layer along the breakwater; a planar scene is one strip.",
-          {}}}};
+        {required_key("name", {form::name()}, "Name of the columns."),
+         required_key("bodies", {list(text(), 1, 64)}, "Names of [[body]] or [[pack]]: all units of each."),
+         optional_key("distance", {number(dimension::length, positive())}, "D_n when not given."),
+         optional_key("width", {number(dimension::length, positive())},
+                      "Width of the layer along the breakwater; a planar scene is one strip.")}};
     return table;
 }
 
@@ -167,14 +161,13 @@ KeyList<sim::OutputSettings> output_keys() {
                         "Wall-clock time between checkpoints."),
             key::number(&S::ledger_tolerance, "ledger_tolerance", dimension::plain, above(0, 1),
                         "Share of the energy turned over that the energy ledger may fail to close by; looked at with "
-                        "every row of ledger.csv. More ends the run."),
-            key::boolean(&S::vtk, "vtk", "Write frames for ParaView."),
-            key::boolean(&S::contacts, "contacts", "Write contact points and forces with each frame.")};
+                        "every row of ledger.csv. More ends the run.")};
 }
 
 const Table& output_table() {
     static const Table table = [] {
         std::vector<Key> keys = rows_of(output_keys());
+        std::ranges::move(rows_of(io::output_keys()), std::back_inserter(keys));
         keys.push_back({"probe", {table_list(probe_table)}, "Time histories.", Value::array()});
         keys.push_back({"gauge", {table_list(gauge_table)}, "Instruments in the water.", Value::array()});
         keys.push_back({"damage", {table_list(damage_table)}, "Damage of armour layers.", Value::array()});

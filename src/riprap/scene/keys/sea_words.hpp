@@ -5,9 +5,6 @@
 
 namespace riprap::scene {
 
-/// The wave of a paddle that makes a sea: read by sea_motion, not among wave_kinds(), whose waves have one period.
-inline constexpr std::string_view irregular_wave = "irregular";
-
 /// The spectrum of a sea.
 enum class SpectrumKind : std::uint8_t { jonswap, pierson_moskowitz };
 

@@ -24,19 +24,6 @@ const Words<material::Mixing>& mixing_rules() {
     return words;
 }
 
-const Words<wave::Paddle>& paddles() {
-    static const Words<wave::Paddle> words{{"piston", wave::Paddle::piston}, {"flap", wave::Paddle::flap}};
-    return words;
-}
-
-const Words<WaveKind>& wave_kinds() {
-    static const Words<WaveKind> words{{"regular", WaveKind::regular},
-                                       {"second_order", WaveKind::second_order},
-                                       {"solitary", WaveKind::solitary},
-                                       {"none", WaveKind::none}};
-    return words;
-}
-
 const Words<coupling::WavesAtSide::Kind>& side_waves() {
     using Kind = coupling::WavesAtSide::Kind;
     static const Words<Kind> words{{"regular", Kind::regular},     {"second_order", Kind::second_order},

@@ -12,7 +12,6 @@
 #include "riprap/geometry/armour_units.hpp"
 #include "riprap/material/material_set.hpp"
 #include "riprap/scene/keys/key_table.hpp"
-#include "riprap/wave/wave_maker.hpp"
 
 namespace riprap::scene {
 
@@ -38,14 +37,9 @@ struct Way {
     bool is_towards_high;
 };
 
-/// The wave that a paddle makes.
-enum class WaveKind : std::uint8_t { regular, second_order, solitary, none };
-
 const Words<Way>& ways();
 const Words<double>& length_units();  ///< metres in a unit
 const Words<material::Mixing>& mixing_rules();
-const Words<wave::Paddle>& paddles();
-const Words<WaveKind>& wave_kinds();
 const Words<coupling::WavesAtSide::Kind>& side_waves();
 const Words<geometry::ArmourUnit>& armour_units();
 const Words<fluid::grid::PorousClosure>& porous_closures();

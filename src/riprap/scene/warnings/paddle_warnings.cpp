@@ -95,7 +95,7 @@ void warn_of_depth(CaseBuild& build, const WavePaddle& paddle, double spacing, d
 /// A surface is known to about half a spacing.
 void warn_of_height(CaseBuild& build, const WavePaddle& paddle, double spacing) {
     constexpr double least = 4;
-    if (paddle.wave.kind != WaveKind::none && paddle.wave.height < (least - 1e-6) * spacing) {
+    if (paddle.wave.height > 0 && paddle.wave.height < (least - 1e-6) * spacing) {
         warn(build, paddle,
              fmt::format("the wave of '{}' is {:.2g} spacings high, and surfaces are good to about half a spacing",
                          paddle.wave.paddle, paddle.wave.height / spacing),

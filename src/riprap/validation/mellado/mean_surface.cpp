@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 
 namespace riprap::validation::mellado {
 
@@ -56,7 +56,7 @@ double mean_surface(const water::WaterTrial& trial, const Vec3& low, const Vec3&
     int count = 0;
     for (int i = 0; i < columns; ++i) {
         for (int j = 0; j < rows; ++j) {
-            fluid::Gauge line{.name = "surface", .kind = fluid::GaugeKind::surface, .point = low, .end = high};
+            fluid::Gauge line{.name = "surface", .kind = &fluid::surface_gauge, .point = low, .end = high};
             line.point.x = low.x + margin + (high.x - low.x - 2 * margin) * i / (columns - 1);
             line.point.y = is_planar ? low.y : low.y + margin + (high.y - low.y - 2 * margin) * j / (rows - 1);
             line.end = line.point;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 #include "riprap/validation/side_view.hpp"
 
 namespace riprap::validation::mikola {
@@ -88,7 +88,7 @@ int count_inside_solids(const Trial& trial, double depth) {
 
 double surface_at(const Trial& trial, double x, double low, double high) {
     fluid::Gauge gauge;
-    gauge.kind = fluid::GaugeKind::surface;
+    gauge.kind = &fluid::surface_gauge;
     gauge.point = {x, low, 0};
     gauge.end = {x, high, 0};
     gauge.up = {0, 1, 0};

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 #include "riprap/validation/water/cases.hpp"
 #include "riprap/validation/water/water_trial.hpp"
 
@@ -18,7 +18,7 @@ constexpr double gravity = 9.81, depth = 1, tail = 0.5;  ///< of case.toml [m/s^
 /// Height of the water at x [m].
 double level_at(const WaterTrial& trial, double x) {
     fluid::Gauge gauge;
-    gauge.kind = fluid::GaugeKind::level;
+    gauge.kind = &fluid::level_gauge;
     gauge.point = {x, 0, 0};
     gauge.up = {0, 1, 0};
     return fluid::read_gauge(gauge, trial.sph(), trial.state().fluid)[0];

@@ -5,10 +5,8 @@
 #include <cmath>
 
 #include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/direction.hpp"
-#include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/build/time_tables.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/bound_keys.hpp"
 
 namespace riprap::scene {
 
@@ -29,40 +27,39 @@ void check_displacements(CaseBuild& build, const Value& table, const TimeTable& 
     }
 }
 
+/// Reads a law from its table; problems are noted.
+template <class Law>
+Law read_law(CaseBuild& /*build*/, const Value& table) {
+    Law law;
+    read_keys(table, Law::keys(), law);
+    return law;
+}
+template <>
+body::TableMotion read_law(CaseBuild& build, const Value& table) {
+    TimeTable rows = read_time_table(build, table, "displacement");
+    check_displacements(build, table, rows);
+    return {std::move(rows.time), std::move(rows.value)};
+}
+
 }  // namespace
 
 std::int32_t add_motion(CaseBuild& build, const Value& table) {
+    const std::size_t before = build.problems.size();
     body::PrescribedMotion motion;
-    if (const Value* linear = table.find("linear")) {
-        motion.law = body::LinearMotion{get_vector(*linear, "velocity")};
-    } else if (const Value* sine = table.find("sinusoidal")) {
-        motion.law = body::SinusoidalMotion{get_vector(*sine, "amplitude"), get_number(*sine, "period"),
-                                            get_number(*sine, "phase"), get_number(*sine, "ramp")};
-    } else if (const Value* rotation = table.find("rotation")) {
-        motion.law = body::RotatingMotion{get_vector(*rotation, "center"), direction_of(get_vector(*rotation, "axis")),
-                                          get_number(*rotation, "rate"),   get_number(*rotation, "amplitude"),
-                                          get_number(*rotation, "period"), get_number(*rotation, "phase"),
-                                          get_number(*rotation, "ramp")};
-    } else if (const Value* maker = table.find("wave_maker"); maker != nullptr && makes_sea(*maker)) {
-        std::optional<body::SplineMotion> sea = sea_motion(build, *maker);
-        if (!sea) {
-            return -1;
+    body::MotionLaws::for_each([&]<class Law>() {
+        if (const Value* given = table.find(Law::word)) {
+            motion.law = read_law<Law>(build, *given);
         }
-        motion.law = std::move(*sea);
-    } else if (maker != nullptr) {
+    });
+    if (const Value* maker = table.find("wave_maker")) {
         std::optional<body::PrescribedMotion> paddle = wave_maker_motion(build, *maker);
         if (!paddle) {
             return -1;
         }
         motion = std::move(*paddle);
-    } else {
-        const std::size_t before = build.problems.size();
-        TimeTable rows = read_time_table(build, get(table, "table"), "displacement");
-        check_displacements(build, get(table, "table"), rows);
-        motion.law = body::TableMotion{std::move(rows.time), std::move(rows.value)};
-        if (build.problems.size() > before) {
-            return -1;
-        }
+    }
+    if (build.problems.size() > before) {
+        return -1;
     }
     motion.start = get_number(table, "start");
     motion.stop = get_number_or(table, "stop", motion.stop);

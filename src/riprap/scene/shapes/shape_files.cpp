@@ -15,9 +15,9 @@
 #include "riprap/geometry/surface_audit.hpp"
 #include "riprap/geometry/triangle_mesh.hpp"
 #include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/scene/text/number_files.hpp"
 
 namespace riprap::scene {
@@ -39,7 +39,7 @@ void move_to_center_of_mass(std::vector<Polyhedron>& pieces) {
 }
 }  // namespace
 
-std::optional<Polyhedron> ShapeLibrary::make_hull(const Value& table) {
+ShapePieces ShapeLibrary::make_hull(const Value& table) {
     std::vector<Vec3> points;
     if (const Value* file = table.find("file")) {
         const double unit = get_word(table, "units", length_units());
@@ -66,14 +66,7 @@ std::optional<Polyhedron> ShapeLibrary::make_hull(const Value& table) {
     return accept(geometry::convex_hull(points), table.place);
 }
 
-std::optional<Polyhedron> ShapeLibrary::make_random_hull(const Value& table) {
-    return accept(
-        geometry::random_hull(static_cast<std::uint64_t>(get_integer(table, "seed")),
-                              static_cast<int>(get_integer(table, "corners")), get_number(table, "circumradius")),
-        table.place);
-}
-
-std::optional<std::vector<Polyhedron>> ShapeLibrary::audited(const geometry::Surface& surface, bool is_repaired) {
+ShapePieces ShapeLibrary::audited(const geometry::Surface& surface, bool is_repaired) {
     geometry::SurfaceAuditOptions options;
     options.fix_orientation = options.drop_collapsed = is_repaired;
     const geometry::SurfaceAudit audit = geometry::audit_surface(surface, options);
@@ -132,7 +125,7 @@ void ShapeLibrary::note_solids(const Value& path, const geometry::Surface& surfa
     }
 }
 
-std::optional<std::vector<Polyhedron>> ShapeLibrary::make_surface(const Value& table, bool is_stl) {
+ShapePieces ShapeLibrary::make_surface(const Value& table, bool is_stl) {
     const auto surface = read_surface(table, is_stl ? geometry::read_stl : geometry::read_obj);
     if (!surface) {
         return std::nullopt;
@@ -221,7 +214,7 @@ Value ShapeLibrary::sized(Value shape, double density) const {
     return shape;
 }
 
-std::optional<std::vector<Polyhedron>> ShapeLibrary::make_armour(const Value& table) {
+ShapePieces ShapeLibrary::make_armour(const Value& table) {
     const geometry::ArmourUnit unit = get_word(table, "unit", armour_units());
     if (const Value* mass = table.find("mass")) {  // of a body ShapeLibrary::sized has made a diameter of it
         problems_.push_back({mass->place, "a unit by its mass, but nothing here has a density", "nominal_diameter"});
@@ -243,7 +236,7 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_armour(const Value& ta
     return audited(surface, false);
 }
 
-std::optional<std::vector<Polyhedron>> ShapeLibrary::make_union(const Value& list) {
+ShapePieces ShapeLibrary::make_union(const Value& list) {
     geometry::Surface surface;
     surface.file = list.place.file;
     bool is_good = true;

@@ -6,7 +6,7 @@
 
 #include "riprap/core/vec3.hpp"
 
-namespace riprap::scene {
+namespace riprap {
 
 /// Returns the unit vector along `v`, which is not zero, whatever its length: squares of components below 1e-154 or
 /// above 1e154 would leave the range of a double.
@@ -16,4 +16,4 @@ inline Vec3 direction_of(const Vec3& v) {
     return largest > 1e-100 && largest < 1e100 ? normalized(v) : normalized(scaled);
 }
 
-}  // namespace riprap::scene
+}  // namespace riprap

@@ -10,6 +10,7 @@
 #include "riprap/geometry/outcome.hpp"
 #include "riprap/geometry/surface.hpp"
 #include "riprap/geometry/triangle_mesh.hpp"
+#include "riprap/scene/shapes/shape_kind.hpp"
 #include "riprap/scene/text/case_files.hpp"
 #include "riprap/scene/text/value.hpp"
 
@@ -35,7 +36,7 @@ class ShapeLibrary {
     std::optional<std::vector<body::Part>> parts(const Value& shape, double scale = 1);
 
     /// The convex pieces of a shape as polyhedra, in the frame of the table; not for half-spaces.
-    std::optional<std::vector<geometry::Polyhedron>> pieces(const Value& shape);
+    ShapePieces pieces(const Value& shape);
 
     /// Adds one polyhedron as a shape of its own. @returns its part, `local` from the frame of the polyhedron.
     body::Part add(const geometry::Polyhedron& polyhedron);
@@ -43,11 +44,22 @@ class ShapeLibrary {
     /// An `stl` or `obj` shape of any form, closed, in triangles, in the frame of the table.
     std::optional<geometry::Polyhedron> closed_surface(const Value& table, bool is_stl);
 
-    static bool is_half_space(const Value& shape) { return shape.find("half_space") != nullptr; }
-    /// A surface with solid under it, for bodies that do not follow forces.
-    static bool is_ground(const Value& shape) {
-        return shape.find("terrain") != nullptr || shape.find("mesh") != nullptr;
+    static bool is_half_space(const Value& shape) { return kind_of(shape).role == ShapeRole::plane; }
+    static bool is_ground(const Value& shape) { return kind_of(shape).role == ShapeRole::ground; }
+
+    // Kinds of shapes are made with these.
+    bool is_planar() const { return is_planar_; }
+    void refuse(const SourcePlace& place, std::string message, std::string allowed) {
+        problems_.push_back({place, std::move(message), std::move(allowed)});
     }
+    /// The one piece that came out, or its problems at `place`.
+    ShapePieces accept(geometry::Outcome<geometry::Polyhedron> outcome, const SourcePlace& place);
+    ShapePieces make_union(const Value& list);
+    ShapePieces make_armour(const Value& table);
+    ShapePieces make_surface(const Value& table, bool is_stl);
+    ShapePieces make_terrain(const Value& table);
+    ShapePieces make_mesh(const Value& table);
+    ShapePieces make_hull(const Value& table);
 
  private:
     /// Reads the bytes of a file; `file` is its name in messages, `scale` the metres of its unit.
@@ -60,13 +72,8 @@ class ShapeLibrary {
     };
 
     std::optional<Pieces> placed_pieces(const Value& shape);
-    std::optional<std::vector<geometry::Polyhedron>> make(const Value& shape);
-    std::optional<std::vector<geometry::Polyhedron>> make_union(const Value& list);
-    std::optional<std::vector<geometry::Polyhedron>> make_armour(const Value& table);
-    std::optional<std::vector<geometry::Polyhedron>> make_surface(const Value& table, bool is_stl);
-    std::optional<std::vector<geometry::Polyhedron>> make_terrain(const Value& table);
-    std::optional<std::vector<geometry::Polyhedron>> make_profile(const Value& table);
-    std::optional<std::vector<geometry::Polyhedron>> make_mesh(const Value& table);
+    ShapePieces make(const Value& shape);
+    ShapePieces make_profile(const Value& table);
     /// Ground over a mesh, and what the mesh is like among the notes.
     std::vector<geometry::Polyhedron> ground_of(geometry::TriangleMesh mesh, const std::string& file, double epsilon,
                                                 double thickness, const std::optional<Vec3>& down);
@@ -75,13 +82,7 @@ class ShapeLibrary {
     /// Says what the solids of a surface are like.
     void note_solids(const Value& path, const geometry::Surface& surface,
                      const std::vector<geometry::Polyhedron>& pieces);
-    std::optional<std::vector<geometry::Polyhedron>> audited(const geometry::Surface& surface, bool is_repaired);
-    std::optional<geometry::Polyhedron> make_hull(const Value& table);
-    std::optional<geometry::Polyhedron> make_random_hull(const Value& table);
-    std::optional<geometry::Polyhedron> make_prism(const Value& table);
-    std::optional<geometry::Polyhedron> make_planar(const Value& shape);
-    std::optional<geometry::Polyhedron> accept(geometry::Outcome<geometry::Polyhedron> outcome,
-                                               const SourcePlace& place);
+    ShapePieces audited(const geometry::Surface& surface, bool is_repaired);
 
     geometry::ShapeSet& shapes_;
     CaseFiles& files_;

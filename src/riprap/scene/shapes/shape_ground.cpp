@@ -17,9 +17,9 @@
 #include "riprap/geometry/stl.hpp"
 #include "riprap/io/vtp_surface.hpp"
 #include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/shape_library.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/scene/text/number_files.hpp"
 
 namespace riprap::scene {
@@ -218,7 +218,7 @@ bool are_few_enough(std::int64_t cells, const SourcePlace& place, std::vector<Di
 
 }  // namespace
 
-std::optional<std::vector<Polyhedron>> ShapeLibrary::make_profile(const Value& table) {
+ShapePieces ShapeLibrary::make_profile(const Value& table) {
     std::vector<Vec3> line;
     for (const Value& point : get(table, "profile").items) {
         line.push_back({point.items[0].as_number(), point.items[1].as_number(), 0});
@@ -240,7 +240,7 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_profile(const Value& t
     return cells;
 }
 
-std::optional<std::vector<Polyhedron>> ShapeLibrary::make_terrain(const Value& table) {
+ShapePieces ShapeLibrary::make_terrain(const Value& table) {
     const Value* path = table.find("file");
     if ((path == nullptr) != is_planar_) {
         problems_.push_back({table.place, is_planar_ ? "terrain of a planar scene is a line" : "a profile is planar",
@@ -290,7 +290,7 @@ std::optional<std::vector<Polyhedron>> ShapeLibrary::make_terrain(const Value& t
     return cells;
 }
 
-std::optional<std::vector<Polyhedron>> ShapeLibrary::make_mesh(const Value& table) {
+ShapePieces ShapeLibrary::make_mesh(const Value& table) {
     const Value& path = get(table, "file");
     const SurfaceReader reader = ends_with(path.text, ".stl")   ? geometry::read_stl
                                  : ends_with(path.text, ".obj") ? geometry::read_obj

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/fluid/gauge/gauge.hpp"
+
+// Kinds of gauges. Each makes its numbers of readings of the water, whatever the fluid; one line in `all_gauges`
+// registers it. Words, units, help, checks and columns of a case are made from that list, and a fluid reads a kind
+// where it offers the readings that the kind needs.
+
+namespace riprap::fluid {
+
+inline constexpr GaugeKind pressure_gauge{
+    "pressure",
+    "Pa",
+    1,
+    GaugeExtent::point,
+    reading::pressure,
+    "at a point in the water",
+    [](const Gauge& gauge, const WaterReader& water) -> GaugeReading { return {water.pressure(gauge.point)}; }};
+
+inline constexpr GaugeKind velocity_gauge{"velocity",
+                                          "m/s",
+                                          3,
+                                          GaugeExtent::point,
+                                          reading::velocity,
+                                          "at a point in the water",
+                                          [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+                                              const Vec3 u = water.velocity(gauge.point);
+                                              return {u.x, u.y, u.z};
+                                          }};
+
+inline constexpr GaugeKind level_gauge{
+    "level",
+    "m",
+    1,
+    GaugeExtent::point,
+    reading::level,
+    "height of the water column above a point at the bed, voids left out",
+    [](const Gauge& gauge, const WaterReader& water) -> GaugeReading { return {water.level(gauge.point, gauge.up)}; }};
+
+inline constexpr GaugeKind surface_gauge{
+    "surface",
+    "m",
+    1,
+    GaugeExtent::line,
+    reading::surface,
+    "distance along the line from point to end at which water ends for the last time",
+    [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+        return {water.surface(gauge.point, gauge.end)};
+    }};
+
+inline constexpr GaugeKind run_up_gauge{"run_up",
+                                        "m",
+                                        1,
+                                        GaugeExtent::way,
+                                        reading::run_up,
+                                        "likewise, for the first time; lay the line one spacing above the slope",
+                                        [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+                                            return {water.run_up(gauge.point, gauge.end)};
+                                        }};
+
+inline constexpr GaugeKind flow_gauge{
+    "flow",
+    "m^3/s",
+    1,
+    GaugeExtent::section,
+    reading::flow,
+    "through the rectangle between point and end, positive along its axis",
+    [](const Gauge& gauge, const WaterReader& water) -> GaugeReading { return {water.flow(gauge.point, gauge.end)}; }};
+
+inline constexpr GaugeKind volume_gauge{"volume",
+                                        "m^3",
+                                        1,
+                                        GaugeExtent::box,
+                                        reading::volume,
+                                        "of the water in the box between point and end",
+                                        [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+                                            return {water.volume(gauge.point, gauge.end)};
+                                        }};
+
+inline constexpr GaugeKind wall_pressure_gauge{
+    "wall_pressure",
+    "Pa",
+    1,
+    GaugeExtent::face,
+    reading::wall_pressure,
+    "on the face of a body nearest to the point, a spacing away at most: force over area in the last step, as a "
+    "transducer in it reads it; it stays with the body, reads 0 while covered and nothing before the first step",
+    [](const Gauge& /*gauge*/, const WaterReader& water) -> GaugeReading { return {water.wall_pressure()}; }};
+
+/// Every kind, in the order of the manual.
+inline constexpr std::array all_gauges{&pressure_gauge, &velocity_gauge, &level_gauge,  &surface_gauge,
+                                       &run_up_gauge,   &flow_gauge,     &volume_gauge, &wall_pressure_gauge};
+
+}  // namespace riprap::fluid

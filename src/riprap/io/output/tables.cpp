@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/io/output/output_kinds.hpp"
+
+#include "riprap/io/csv.hpp"
+#include "riprap/io/scene_frame.hpp"
+#include "riprap/sim/quantity.hpp"
+
+namespace riprap::io {
+
+namespace {
+
+/// A table of columns after the time.
+class ColumnTable : public Output {
+ public:
+    ColumnTable(const OutputRun& run, std::string_view file, std::vector<sim::Column> columns)
+        : columns_(std::move(columns)) {
+        std::vector<CsvColumn> headings{{"time", "s"}};
+        for (const sim::Column& column : columns_) {
+            headings.push_back({column.name, column.unit});
+        }
+        table_ =
+            run.length ? GrowingCsv(run.folder / file, headings, *run.length) : GrowingCsv(run.folder / file, headings);
+    }
+    void write_row(const sim::Moment& moment) override { add_row(moment.state.time, moment); }
+    GrowingCsv* table() override { return &table_; }
+
+ protected:
+    void add_row(double time, const sim::Moment& moment) {
+        std::vector<double> row{time};
+        for (const sim::Column& column : columns_) {
+            row.push_back(evaluate(column, moment));
+        }
+        table_.add_row(row);
+    }
+
+ private:
+    std::vector<sim::Column> columns_;
+    GrowingCsv table_;
+};
+
+class Ledger : public ColumnTable {
+ public:
+    using ColumnTable::ColumnTable;
+    void write_row(const sim::Moment& moment) override {
+        if (moment.report != nullptr) {  // the ledger is measured within a step: there is none at time 0
+            add_row(moment.report->ledger.time, moment);
+        }
+    }
+};
+
+class LastBodies : public Output {
+ public:
+    explicit LastBodies(const OutputRun& run) : path_(run.folder / BodyTable::files.front()) {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+    void write_end(const sim::Moment& moment) override {
+        const std::vector<Vec3> no_force;
+        write_bodies_csv(path_, moment.model, moment.initial, moment.state,
+                         moment.scratch != nullptr ? moment.scratch->contact_force() : no_force);
+    }
+
+ private:
+    std::filesystem::path path_;
+};
+
+}  // namespace
+
+std::unique_ptr<Output> ProbeTable::open(const OutputRun& run) const {
+    return std::make_unique<ColumnTable>(run, files.front(), sim::record_columns(run.model));
+}
+
+std::unique_ptr<Output> LedgerTable::open(const OutputRun& run) const {
+    return std::make_unique<Ledger>(run, files.front(), scene_columns(run.model));
+}
+
+std::unique_ptr<Output> BodyTable::open(const OutputRun& run) const { return std::make_unique<LastBodies>(run); }
+
+std::vector<sim::Column> scene_columns(const sim::Model& model) {
+    std::vector<sim::Column> columns;
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        if (!info.is_of_body && info.name != "time" && has_quantity(model, info)) {
+            for (sim::Column& column :
+                 sim::columns_of({std::string(info.name), BodyId{}, std::string(info.name)}, model.bodies.is_planar)) {
+                columns.push_back(std::move(column));
+            }
+        }
+    }
+    return columns;
+}
+
+}  // namespace riprap::io
