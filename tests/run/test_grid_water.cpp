@@ -56,8 +56,8 @@ struct Walk {
     Simulation simulation;
 };
 
-// Story: a step that was refused is taken again from the last good state, with nothing listed yet and without asking for
-// the stable step first; a grid without bodies had no capacities then, and the program ended.
+// Story: a step that was refused is taken again from the last good state, with nothing listed yet and without asking
+// for the stable step first; a grid without bodies had no capacities then, and the program ended.
 TEST(GridWater, water_without_bodies_steps_at_once_from_a_state) {
     std::string text = floating_box(0.4, 500);
     text.erase(text.find("[material"), text.find("[fluid]") - text.find("[material"));
