@@ -126,13 +126,17 @@ TEST(ExpectWords, ACurveIsHeldBesideItsPoints) {
     const std::string text = expect("rms", quantity + "reduce = 'rms'\n" + points + " }\n") +
                              expect("worst", quantity + "reduce = 'worst'\n" + points + " }\n") +
                              expect("a little", quantity + "reduce = 'worst'\n" + points + ", shift = 0.02 }\n") +
-                             expect("all", quantity + "reduce = 'worst'\n" + points + ", shift = 9.0 }\n");
+                             expect("all", quantity + "reduce = 'worst'\n" + points + ", shift = 9.0 }\n") +
+                             expect("mean", quantity + "reduce = 'mean_error'\n" + points + " }\n") +
+                             expect("late mean", quantity + "reduce = 'mean_error'\n" + points + ", shift = 9.0 }\n");
     for (const int stop : {-1, 50, 99, 700}) {
         const auto results = results_of(text, stop);
         EXPECT_NEAR(results[0].value, std::sqrt((0.01 + 0.01 + 0.04) / 3), 1e-9);
         EXPECT_NEAR(results[1].value, 0.2, 1e-9);
         EXPECT_NEAR(results[2].value, 0.18, 1e-9);
         EXPECT_NEAR(results[3].value, 0.15, 1e-9);
+        EXPECT_NEAR(results[4].value, 0.4 / 3, 1e-9);
+        EXPECT_NEAR(results[5].value, 0.1, 1e-9) << "off by 0.1, 0.1 and -0.2 m: the median is taken off";
     }
 }
 
@@ -173,6 +177,55 @@ TEST(ExpectWords, WhatDoesNotGoTogetherIsToldWithItsPlace) {
                 HasSubstr("several [[expect]] before this one"));
     EXPECT_THAT(problem_of(expect("a", band + "reported = true\n")), HasSubstr("reported"));
     EXPECT_THAT(problem_of(expect("a", "quantity = 'time'\nreported = false\n")), HasSubstr("says nothing"));
+}
+
+TEST(ExpectWords, AnExtremeTellsItsTime) {
+    const std::string high = "quantity = 'thrown.position.z'\nreported = true\n";
+    for (const int stop : {-1, 200, 700}) {
+        const auto results = results_of(expect("top", high + "reduce = 'time_of_max'\n") +
+                                            expect("low", high + "reduce = 'time_of_min'\nto = 0.9\n") +
+                                            expect("later",
+                                                   "quantity = 'thrown.position.z'\nreduce = 'time_of_min'\n"
+                                                   "minus = 'top'\nvalue = 0.6\ntolerance = 0.002\n"),
+                                        stop);
+        EXPECT_NEAR(results[0].value, 0.4, 0.0011);
+        EXPECT_EQ(results[0].time, results[0].value);
+        EXPECT_EQ(results[0].unit, "s");
+        EXPECT_NEAR(results[1].value, 0.9, 0.0011);
+        EXPECT_EQ(results[2].verdict, run::Verdict::passed) << results[2].value;
+    }
+}
+
+// Four more stones fall from 10 m at x = 10, 11, 12 and 13 m.
+const std::string row =
+    "[[body]]\nname = 'row'\nshape = { cube = 0.5 }\nposition = [10.0, 0.0, 10.0]\nmaterial = 'rock'\n"
+    "repeat = { counts = [4, 1, 1], pitch = [1.0, 0.0, 0.0] }\n";
+
+TEST(ExpectWords, BodiesOfEntriesAreTakenTogether) {
+    const std::string end = "reported = true\n";
+    const auto results =
+        results_of(row + expect("mean", "quantity = 'row[mean].position.x'\n" + end) +
+                   expect("sum", "quantity = 'row[sum].position.z'\n" + end) +
+                   expect("min", "quantity = 'row[min].position.x'\n" + end) +
+                   expect("max", "quantity = 'row[max].position.x'\n" + end) +
+                   expect("both", "quantity = 'row,thrown[mean].position.x'\n" + end) +
+                   expect("apart", "quantity = 'row[mean].position.z'\nrelative_to = 'stone.position.z'\n" + end));
+    const std::vector<double> exact{11.5, 20.0, 10.0, 13.0, 51.0 / 5, 10.0};
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        EXPECT_NEAR(results[i].value, exact[i], 0.03) << results[i].name;
+        EXPECT_EQ(results[i].verdict, run::Verdict::reported);
+    }
+}
+
+TEST(ExpectWords, GroupsOfWhatIsNotThereAreToldWithTheirPlace) {
+    const std::string band = "low = 0.0\nhigh = 9.0\n";
+    for (const std::string quantity : {"heap[mean].position.x", "row[median].position.x", "row[mean].colour",
+                                       "row,heap[mean].position.x", "row[mean]", "row[sum", "row]sum[.position.x"}) {
+        EXPECT_THAT(problem_of(row + expect("a", "quantity = '" + quantity + "'\n" + band)),
+                    HasSubstr("case.toml:26:12: there is no quantity '" + quantity + "'"));
+    }
+    EXPECT_THAT(problem_of(row + expect("a", "quantity = 'row[mean].stress_xx'\n" + band)),
+                HasSubstr("the methods of this case do not have"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/tint.hpp"
@@ -90,33 +91,6 @@ void look_at_curve(RunningFigures& f, std::vector<double>& met, const sim::Expec
     f.previous_trigger = along;
 }
 
-/// Returns the error of a curve, the constant that makes it least taken off as far as the source allows; missing where
-/// a point was not reached.
-double error_of(const std::vector<double>& met, const sim::ExpectCurve& curve, const std::string& how) {
-    double low = infinity, high = -infinity, sum = 0;
-    const auto count = static_cast<double>(met.size());
-    for (std::size_t i = 0; i < met.size(); ++i) {
-        const double difference = met[i] - curve.value[i];
-        if (std::isnan(difference)) {
-            return missing;
-        }
-        low = std::min(low, difference);
-        high = std::max(high, difference);
-        sum += difference;
-    }
-    const double best = how == "rms" ? sum / count : 0.5 * (low + high);
-    const double shift = std::clamp(best, -curve.shift, curve.shift);
-    if (how == "worst") {
-        return std::max(std::abs(low - shift), std::abs(high - shift));
-    }
-    double square = 0;
-    for (std::size_t i = 0; i < met.size(); ++i) {
-        const double difference = met[i] - curve.value[i] - shift;
-        square += difference * difference;
-    }
-    return std::sqrt(square / count);
-}
-
 void add(RunningFigures& f, double time, double value) {
     if (f.count > 0) {
         f.integral += 0.5 * (f.previous + value) * (time - f.previous_time);
@@ -135,6 +109,61 @@ void add(RunningFigures& f, double time, double value) {
     f.count += 1;
     f.previous_time = time;
     f.previous = value;
+}
+
+/// Keeps the values at the points of a curve along a profile at one time, between steps by the straight line; reads the
+/// gauges only in the steps about that time, and before add().
+void look_at_profile(RunningFigures& f, std::vector<double>& met, const sim::Expect& expect,
+                     const sim::Profile& profile, const sim::Moment& moment) {
+    constexpr double forgiven = 1e-9;  // of a step: the end of a run may miss the time by round-off
+    constexpr double ahead = 4;        // steps that may grow meanwhile
+    const double time = moment.state.time, step = f.count > 0 ? time - f.previous_time : 0;
+    const bool is_over = f.count > 0 && f.previous_time >= expect.at;
+    if (!is_over && (f.count == 0 || time + ahead * step >= expect.at)) {
+        const double share =
+            time + forgiven * step >= expect.at && f.count > 0 ? (expect.at - f.previous_time) / step : 1;
+        for (std::size_t i = 0; i < met.size(); ++i) {
+            const double now = evaluate(profile, expect.curve.along[i], moment);
+            met[i] = share < 1 && !std::isnan(met[i]) ? met[i] + share * (now - met[i]) : now;
+        }
+    }
+    add(f, time, 0);
+}
+
+/// Returns the constant that makes the error least: the middle of the extremes, the median or the mean [their unit].
+double best_shift(std::vector<double> differences, const std::string& how) {
+    if (how == "worst") {
+        const auto [low, high] = std::minmax_element(differences.begin(), differences.end());
+        return 0.5 * (*low + *high);
+    }
+    if (how == "mean_error") {
+        const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+        std::nth_element(differences.begin(), middle, differences.end());
+        return *middle;
+    }
+    return std::accumulate(differences.begin(), differences.end(), 0.0) / static_cast<double>(differences.size());
+}
+
+/// Returns the error of a curve, the constant that makes it least taken off as far as the source allows; missing where
+/// a point was not reached.
+double error_of(const std::vector<double>& met, const sim::ExpectCurve& curve, const std::string& how) {
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        differences.push_back(met[i] - curve.value[i]);
+        if (std::isnan(differences.back())) {
+            return missing;
+        }
+    }
+    const double shift = std::clamp(best_shift(differences, how), -curve.shift, curve.shift);
+    double sum = 0, square = 0, largest = 0;
+    for (const double difference : differences) {
+        const double error = std::abs(difference - shift);
+        sum += error;
+        square += error * error;
+        largest = std::max(largest, error);
+    }
+    const auto count = static_cast<double>(differences.size());
+    return how == "worst" ? largest : how == "mean_error" ? sum / count : std::sqrt(square / count);
 }
 
 /// Tells whether the lowest value is farther from zero than the highest.
@@ -160,15 +189,18 @@ double reduce(const RunningFigures& f, const std::string& how) {
     if (how == "period") {
         return period_of(f);
     }
+    if (sim::is_time(how)) {
+        return how == "time_of_min" ? f.minimum_time : f.maximum_time;
+    }
     return how == "at" || how == "when" ? f.at : f.last;
 }
 
 /// Time of the figure that `reduce` returns; missing for a mean, a period and a curve [s].
 double time_of(const RunningFigures& f, const std::string& how) {
-    if (how == "min" || (how == "extreme" && is_lower_extreme(f))) {
+    if (how == "min" || how == "time_of_min" || (how == "extreme" && is_lower_extreme(f))) {
         return f.minimum_time;
     }
-    if (how == "max" || how == "extreme") {
+    if (how == "max" || how == "time_of_max" || how == "extreme") {
         return f.maximum_time;
     }
     if (how == "last") {
@@ -233,20 +265,26 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
                                           fmt::format("one of {}", fmt::join(sim::reductions, ", "))));
         }
         const auto find = [&](const std::string& quantity) {
-            const std::optional<sim::Column> column = sim::find_column(model, quantity);
+            std::optional<sim::ColumnGroup> column = sim::find_columns(model, quantity);
             if (!column) {
                 problems.push_back(
                     problem_of(expect, "there is no quantity '" + quantity + "'",
                                "a column of a probe, a quantity of the scene, or body.quantity, vectors with .x, .y or "
                                ".z"));
             }
-            return column.value_or(sim::Column{});
+            return column.value_or(sim::ColumnGroup{{}, {{}}});
         };
-        Columns columns{.quantity = find(expect.quantity), .relative_to = {}, .trigger = {}};
+        Columns columns;
+        if (expect.curve.quantity == sim::along_profile && sim::is_of_curve(expect.reduce)) {
+            columns.profile = sim::find_profile(model, expect.quantity);
+        }
+        columns.quantity =
+            columns.profile ? sim::ColumnGroup{{}, {columns.profile->columns.front()}} : find(expect.quantity);
+        columns.unit = sim::is_time(expect.reduce) ? "s" : columns.quantity.columns.front().unit;
         if (!expect.relative_to.empty()) {
             columns.relative_to = find(expect.relative_to);
         }
-        if (expect.reduce == "when" || sim::is_of_curve(expect.reduce)) {
+        if (!columns.profile && (expect.reduce == "when" || sim::is_of_curve(expect.reduce))) {
             columns.trigger = find(expect.reduce == "when" ? expect.when : expect.curve.quantity);
         }
         columns_.push_back(std::move(columns));
@@ -260,6 +298,10 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
 void ExpectWatch::look(const sim::Moment& moment) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const sim::Expect& expect = model_.expects[i];
+        if (columns_[i].profile) {
+            look_at_profile(figures_[i], met_[i], expect, *columns_[i].profile, moment);
+            continue;
+        }
         const double off = expect.relative_to.empty() ? 0 : evaluate(columns_[i].relative_to, moment);
         const double value = evaluate(columns_[i].quantity, moment) - off;
         if (!std::isnan(value) && moment.state.time >= expect.from && moment.state.time <= expect.to) {
@@ -286,7 +328,7 @@ std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
         ExpectResult result{.name = expect.name,
                             .quantity = expect.quantity,
                             .reduce = expect.reduce,
-                            .unit = expect.reduce == "period" ? "s" : columns_[i].quantity.unit,
+                            .unit = expect.reduce == "period" ? "s" : columns_[i].unit,
                             .citation = expect.citation,
                             .value = sim::is_of_curve(expect.reduce) ? error_of(met_[i], expect.curve, expect.reduce)
                                                                      : reduce(figures_[i], expect.reduce),

@@ -3,11 +3,12 @@
 
 // Expected answers of a case, judged while it runs: every step is looked at, not only the rows that are written.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "riprap/sim/quantity.hpp"
+#include "riprap/sim/column_group.hpp"
 
 namespace riprap::run {
 
@@ -45,8 +46,10 @@ class ExpectWatch {
 
     /// Columns of one expected answer; those that it does not name are unset.
     struct Columns {
-        sim::Column quantity, relative_to;
-        sim::Column trigger;  ///< of reduce = when, and what the points of a curve are along
+        sim::ColumnGroup quantity, relative_to;
+        sim::ColumnGroup trigger;             ///< of reduce = when, and what the points of a curve are along
+        std::optional<sim::Profile> profile;  ///< instead of a quantity: a curve along gauges, at one time
+        std::string unit;
     };
 
     /// Takes the values at one moment. A missing value (a contact force before the first step) is left out.

@@ -7,10 +7,19 @@
 namespace riprap::sim {
 
 /// Reductions of the values of an expected answer to one number.
-inline constexpr std::array<std::string_view, 10> reductions{"last", "min",  "max",    "extreme", "mean",
-                                                             "at",   "when", "period", "rms",     "worst"};
+inline constexpr std::array<std::string_view, 13> reductions{
+    "last", "min",  "max",    "extreme", "time_of_min", "time_of_max", "mean",
+    "at",   "when", "period", "rms",     "mean_error",  "worst"};
 
 /// Tells whether a reduction compares with points of another source.
-constexpr bool is_of_curve(std::string_view reduction) { return reduction == "rms" || reduction == "worst"; }
+constexpr bool is_of_curve(std::string_view reduction) {
+    return reduction == "rms" || reduction == "mean_error" || reduction == "worst";
+}
+
+/// Tells whether a reduction gives a time.
+constexpr bool is_time(std::string_view reduction) { return reduction == "time_of_min" || reduction == "time_of_max"; }
+
+/// Word for `along` of a curve whose points lie along the gauges of a profile, read at one time.
+inline constexpr std::string_view along_profile = "place";
 
 }  // namespace riprap::sim

@@ -235,6 +235,8 @@ GridFluid::GridFluid(const FluidScene& scene, const Settings& settings, const Fl
     }
     if (scene.bodies.size() > 0) {
         set_open_shares(settings.grid, fields.water, scratch.grid, std::move(scratch.cut.open));
+    } else {
+        prepare(settings.grid, fields.water, scratch.grid);
     }
 }
 

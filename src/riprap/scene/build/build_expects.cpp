@@ -10,6 +10,8 @@
 #include "riprap/scene/build/expect_curves.hpp"
 #include "riprap/scene/text/suggest.hpp"
 #include "riprap/sim/abilities.hpp"
+#include "riprap/sim/column_group.hpp"
+#include "riprap/sim/reductions.hpp"
 
 namespace riprap::scene {
 
@@ -45,12 +47,13 @@ void add_quantities_of(const std::string& body, std::vector<std::string>& names)
 
 /// Tells whether `quantity` names one number of the run; adds a problem with the nearest name otherwise.
 bool check_column(CaseBuild& build, const std::string& quantity, const SourcePlace& place) {
-    if (const std::optional<sim::Column> column = sim::find_column(build.model, quantity)) {
-        if (column->quantity == nullptr || has_quantity(build.model, *column->quantity)) {
+    if (const std::optional<sim::ColumnGroup> found = sim::find_columns(build.model, quantity)) {
+        const sim::QuantityInfo* info = found->columns.front().quantity;
+        if (info == nullptr || has_quantity(build.model, *info)) {
             return true;
         }
         build.problem(place, fmt::format("the methods of this case do not have '{}'", quantity),
-                      other_names(build.model, *column->quantity));
+                      other_names(build.model, *info));
         return false;
     }
     if (may_lack_its_subject(build, quantity)) {
@@ -69,9 +72,37 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
     }
     const std::string meant = nearest(quantity, known);
     build.problem(place, fmt::format("there is no quantity '{}'", quantity),
-                  meant.empty() ? "PROBE, QUANTITY or BODY.QUANTITY, vectors with .x, .y or .z"
+                  meant.empty() ? "PROBE, QUANTITY or BODY.QUANTITY, vectors with .x, .y or .z; BODY[mean], [sum], "
+                                  "[min] or [max] of many"
                                 : fmt::format("did you mean '{}'?", meant));
     return false;
+}
+
+/// Tells whether the points of a curve lie along the gauges of a profile.
+bool is_along_profile(const Value& table) {
+    const Value* curve = table.find("curve");
+    return curve != nullptr && get_text(*curve, "along") == sim::along_profile;
+}
+
+/// Tells whether the quantity of an expected answer is a profile as long as the points of its curve; adds a problem
+/// otherwise.
+bool check_profile(CaseBuild& build, const sim::Expect& expect, const SourcePlace& place) {
+    const std::optional<sim::Profile> profile = sim::find_profile(build.model, expect.quantity);
+    if (!profile) {
+        build.problem(place, fmt::format("there is no profile '{}'", expect.quantity),
+                      "a [[output.gauge]] with 'count', of velocities with .x, .y or .z");
+        return false;
+    }
+    const double length = profile->place.back();
+    for (const double along : expect.curve.along) {
+        if (along < 0 || along > length * (1 + 1e-9)) {
+            build.problem(place,
+                          fmt::format("a point of the curve at {:.6g} m of the profile '{}'", along, expect.quantity),
+                          fmt::format("0 to {:.6g} m, from its first gauge to its last", length));
+            return false;
+        }
+    }
+    return true;
 }
 
 /// Warns of an expected answer that is not judged as the run ends before it, say because --end shortens the run.
@@ -94,8 +125,8 @@ void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
     if (given == nullptr) {
         return;
     }
-    if (expect.reduce == "at") {
-        build.problem(given->place, "'from' and 'to' say nothing where reduce = \"at\"", "with any other");
+    if (table.find("at") != nullptr) {
+        build.problem(given->place, "'from' and 'to' say nothing beside 'at'", "with any other");
     }
     expect.from = get_number_or(table, "from", expect.from);
     expect.to = get_number_or(table, "to", expect.to);
@@ -213,8 +244,9 @@ void read_expect(CaseBuild& build, const Value& table) {
     }
     check_needs(build, table, expect.name);
     const Value* at = table.find("at");
-    if ((expect.reduce == "at") != (at != nullptr)) {
-        build.problem(table.place, "'at' goes with reduce = \"at\"", "give both or none");
+    if ((expect.reduce == "at" || is_along_profile(table)) != (at != nullptr)) {
+        build.problem(table.place, "'at' goes with reduce = \"at\" and with a curve along = \"place\"",
+                      "give both or none");
     } else if (at != nullptr) {
         expect.at = at->as_number();
         warn_of_late(build, at->place, expect, "at", expect.at);
@@ -229,11 +261,14 @@ void read_expect(CaseBuild& build, const Value& table) {
     }
     const Value* relative_to = table.find("relative_to");
     expect.relative_to = relative_to != nullptr ? relative_to->text : "";
-    const bool has_quantity = check_column(build, expect.quantity, get(table, "quantity").place);
+    const bool has_quantity = is_along_profile(table)
+                                  ? check_profile(build, expect, get(table, "quantity").place)
+                                  : check_column(build, expect.quantity, get(table, "quantity").place);
     const bool has_trigger = when == nullptr || check_column(build, expect.when, when->place);
     const bool has_other = relative_to == nullptr || check_column(build, expect.relative_to, relative_to->place);
     const Value* curve = table.find("curve");
-    const bool has_along = curve == nullptr || check_column(build, expect.curve.quantity, get(*curve, "along").place);
+    const bool has_along = curve == nullptr || is_along_profile(table) ||
+                           check_column(build, expect.curve.quantity, get(*curve, "along").place);
     if (!has_quantity || !has_trigger || !has_other || !has_along) {
         return;
     }

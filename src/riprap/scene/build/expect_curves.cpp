@@ -35,8 +35,8 @@ geometry::TableForm form_of_curve() {
 bool read_curve(CaseBuild& build, const Value& table, sim::Expect& expect) {
     const Value* curve = table.find("curve");
     if (sim::is_of_curve(expect.reduce) != (curve != nullptr)) {
-        build.problem(curve != nullptr ? curve->place : table.place, "'curve' goes with reduce = \"rms\" and \"worst\"",
-                      "give both or none");
+        build.problem(curve != nullptr ? curve->place : table.place,
+                      "'curve' goes with reduce = \"rms\", \"mean_error\" and \"worst\"", "give both or none");
         return false;
     }
     if (curve == nullptr) {

@@ -119,14 +119,18 @@ const Table& curve_table() {
         "expect.curve",
         "curve = { ... }",
         "Points of another source, say of an experiment. The quantity is read at the first moment at which `along` is "
-        "at "
-        "each point; what it never reaches has no value.",
+        "at each point; what it never reaches has no value. Or, with along = \"place\", the gauges of a profile are "
+        "read "
+        "at one time, between them by the straight line.",
         {{"file", {path()}, "Table with two columns, along and value, in SI (docs/howto/tables.md).", {}},
          {"points",
           {list(list(number(dimension::plain), 2, 2), 1, 10000)},
           "The same as rows of two numbers, [along, value].",
           {}},
-         {"along", {text()}, "Quantity whose values the first column has.", Value::of("time")},
+         {"along",
+          {text()},
+          "Quantity whose values the first column has; \"place\": distances from the first gauge of a profile.",
+          Value::of("time")},
          {"shift",
           {number(dimension::plain, non_negative())},
           "Largest constant by which all values may differ from those of the source, in SI: that which makes the error "
@@ -188,15 +192,19 @@ const Table& expect_table() {
          {"quantity",
           {text()},
           "The name of a probe, or a quantity of the scene or of a body, with its component: \"solid.kinetic\", "
-          "\"block.position.x\".",
+          "\"block.position.x\". \"block[mean].position.x\" is the mean over all blocks of one entry, "
+          "\"row,top[mean].position.x\" over those of several, \"disc[mean]\" over "
+          "the gauges of a profile; likewise sum, min and max. With a curve along = \"place\" the name of a profile.",
           {},
           true},
          {"reduce",
           {choice({sim::reductions.begin(), sim::reductions.end()})},
           "Reduction of the column to one number. extreme: the lowest or the highest, whichever is farther from zero, "
-          "with its sign. period: the mean time between two passages of the level `reaches` in one direction. rms, "
-          "worst: "
-          "root of the mean square, and largest, of the differences from the points of `curve`.",
+          "with its sign. time_of_min, time_of_max: the time at which it is lowest or highest. period: the mean time "
+          "between two passages of the level `reaches` in one direction. rms, "
+          "mean_error, worst: root of the mean square, mean size and largest size of the differences from the points "
+          "of "
+          "`curve`.",
           Value::of("last")},
          {"relative_to",
           {text()},
@@ -210,7 +218,7 @@ const Table& expect_table() {
           "\"when\" is the change since that event.",
           {}},
          {"over", {text()}, "Name of an earlier [[expect]] by whose value the result is divided, after `minus`.", {}},
-         {"curve", {form::table(curve_table)}, "Points for reduce = \"rms\" and \"worst\".", {}},
+         {"curve", {form::table(curve_table)}, "Points for reduce = \"rms\", \"mean_error\" and \"worst\".", {}},
          {"from",
           {number(dimension::time, non_negative())},
           "Steps before this time do not count; not for at. With when, the level is passed after it. The start when "
@@ -222,7 +230,7 @@ const Table& expect_table() {
           "Nor do those after it; the end of the case when not given. What a run with an earlier end does not reach is "
           "not judged; with when, what has not happened yet.",
           {}},
-         {"at", {number(dimension::time, non_negative())}, "Time for reduce = \"at\".", {}},
+         {"at", {number(dimension::time, non_negative())}, "Time for reduce = \"at\", and of a profile.", {}},
          {"when",
           {text()},
           "For reduce = \"when\": the value is taken at the moment at which this other quantity first passes a level.",

@@ -6,7 +6,6 @@
 #include "riprap/coupling/cut_cells/cut_bodies.hpp"
 #include "riprap/fluid/grid/wave_side.hpp"
 #include "riprap/geometry/shapes.hpp"
-#include "riprap/wave/boussinesq_wave.hpp"
 
 namespace riprap::validation::ding {
 
@@ -16,18 +15,6 @@ namespace {
 
 constexpr double gravity = 9.81;
 constexpr double rear_height = 6;  ///< of the armour behind the caisson [m]
-
-IncomingWaves incoming(const Breakwater& breakwater) {
-    if (!breakwater.by_boussinesq) {
-        return waves_of(wave::solitary_wave(Breakwater::wave_height, Breakwater::depth, gravity), crest_at_inlet);
-    }
-    const wave::SolitaryWave wave{Breakwater::wave_height, Breakwater::depth, gravity};
-    const double c = wave.celerity();
-    return {[=](double t) { return wave.elevation(c * (crest_at_inlet - t)); },
-            [=](double above_bed, double t) {
-                return wave::boussinesq_velocity(wave, c * (crest_at_inlet - t), above_bed);
-            }};
-}
 
 /// Depth of a place below the surface of the slope, normal to it [m]; negative outside.
 double depth_in_slope(const Breakwater& breakwater, const Vec3& x) {
@@ -41,24 +28,22 @@ double depth_in_slope(const Breakwater& breakwater, const Vec3& x) {
 }  // namespace
 
 GridTrial make_breakwater(const Breakwater& breakwater) {
-    const double length = breakwater.has_structure ? Breakwater::length : 300;
+    const double length = Breakwater::length;
     GridSettings settings = make_tank({}, {length, Breakwater::ceiling, 1},
                                       {static_cast<int>(std::lround(length / breakwater.cell_x)),
                                        static_cast<int>(std::lround(Breakwater::ceiling / breakwater.cell_y)), 1});
     settings.turbulence = Turbulence::k_epsilon_stable;
-    settings.courant = breakwater.courant;
     settings.side[3].kind = SideKind::open;
-    settings.side[0] = wave_side(settings.mesh, 0, 1, 0, Breakwater::depth, incoming(breakwater),
-                                 true);  // nothing comes back from a flat bed
+    settings.side[0] = wave_side(
+        settings.mesh, 0, 1, 0, Breakwater::depth,
+        waves_of(wave::solitary_wave(Breakwater::wave_height, Breakwater::depth, gravity), crest_at_inlet), true);
     settings.side[1] = absorbing_side(settings.mesh, 1, 1, 0, Breakwater::depth);
-    if (breakwater.has_structure) {
-        settings.porous.push_back({{0.40, 0.3, 50, 2, 0.34, 72, PorousClosure::ding},
-                                   [=](const Vec3& x) { return depth_in_slope(breakwater, x) >= 0; }});
-        settings.porous.push_back({{0.49, 1.0, 50, 2, 0.34, 72, PorousClosure::ding}, [=](const Vec3& x) {
-                                       const double d = depth_in_slope(breakwater, x);
-                                       return d >= 0 && d < breakwater.layer;
-                                   }});
-    }
+    settings.porous.push_back({{0.40, 0.3, 50, 2, 0.34, 72, PorousClosure::ding},
+                               [=](const Vec3& x) { return depth_in_slope(breakwater, x) >= 0; }});
+    settings.porous.push_back({{0.49, 1.0, 50, 2, 0.34, 72, PorousClosure::ding}, [=](const Vec3& x) {
+                                   const double d = depth_in_slope(breakwater, x);
+                                   return d >= 0 && d < breakwater.layer;
+                               }});
     if (breakwater.has_rear_armour) {
         settings.porous.push_back({{0.40, 1.0, 50, 2, 0.34, 72, PorousClosure::ding}, [](const Vec3& x) {
                                        const double away = x.x - Breakwater::caisson_front - Breakwater::caisson_width;
@@ -66,14 +51,12 @@ GridTrial make_breakwater(const Breakwater& breakwater) {
                                    }});
     }
     GridTrial trial(settings, make_state(settings, [](const Vec3& x) { return x.y < Breakwater::depth; }));
-    if (breakwater.has_structure) {
-        const Vec3 size{Breakwater::caisson_width, Breakwater::caisson_height, 2};
-        coupling::GridBody caisson;
-        caisson.parts.push_back(geometry::moved(
-            geometry::box(size), Pose{{Breakwater::caisson_front + 0.5 * size.x, 0.5 * size.y, 0.5}, Quat{}}));
-        set_open_shares(trial.settings(), trial.state(), trial.scratch(),
-                        coupling::cut_bodies(settings.mesh, {caisson}).open);
-    }
+    const Vec3 size{Breakwater::caisson_width, Breakwater::caisson_height, 2};
+    coupling::GridBody caisson;
+    caisson.parts.push_back(geometry::moved(
+        geometry::box(size), Pose{{Breakwater::caisson_front + 0.5 * size.x, 0.5 * size.y, 0.5}, Quat{}}));
+    set_open_shares(trial.settings(), trial.state(), trial.scratch(),
+                    coupling::cut_bodies(settings.mesh, {caisson}).open);
     return trial;
 }
 

@@ -14,10 +14,7 @@ struct Breakwater {
     double cell_x{1.2}, cell_y{0.75};  ///< [m]
     double slope{2};                   ///< length over height of the seaward slope [-]
     double layer{2};                   ///< thickness of the armour layer T_a [m]
-    bool has_structure{true};
-    bool by_boussinesq{false};    ///< the input of the thesis [Ding2021, eqs. 6.1 to 6.3] instead of the exact wave
-    bool has_rear_armour{false};  ///< a zone of stones, 6 m high and long, behind the caisson
-    double courant{0.45};
+    bool has_rear_armour{false};       ///< a zone of stones, 6 m high and long, behind the caisson
 };
 
 /// Time at which the crest passes x = 0: half the period of the wave, for which the arrivals of the thesis fit [s].
@@ -28,11 +25,7 @@ grid::GridTrial make_breakwater(const Breakwater& breakwater);
 /// Highest place with water within 2 m of the front of the caisson [m].
 double height_at_front(const grid::GridTrial& trial);
 
-void solitary_profile(const CaseSetting& setting, CaseReport& report);
-void caisson_pressure(const CaseSetting& setting, CaseReport& report);
-void seaward_slopes(const CaseSetting& setting, CaseReport& report);
 void layer_thickness(const CaseSetting& setting, CaseReport& report);
-void step_convergence(const CaseSetting& setting, CaseReport& report);
 void flow_patterns(const CaseSetting& setting, CaseReport& report);
 void unit_shapes(const CaseSetting& setting, CaseReport& report);
 void shoreward_slopes(const CaseSetting& setting, CaseReport& report);

@@ -9,6 +9,5 @@ namespace riprap::validation::ding {
 
 void arch_3d(const CaseSetting& setting, CaseReport& report);
 void dam_uplift(const CaseSetting& setting, CaseReport& report);
-void gravity_dam(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::ding

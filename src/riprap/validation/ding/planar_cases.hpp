@@ -14,7 +14,5 @@ void planar_cross_section(const CaseSetting& setting, CaseReport& report);
 void planar_train_speed(const CaseSetting& setting, CaseReport& report);
 void planar_incident_angle(const CaseSetting& setting, CaseReport& report);
 void planar_ice_shape(const CaseSetting& setting, CaseReport& report);
-void planar_arch(const CaseSetting& setting, CaseReport& report);
-void planar_dam(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::ding

@@ -30,7 +30,7 @@ void for_pieces(const Vec2& a, const Vec2& b, const F& f) {
 }  // namespace
 
 RecordedWater::RecordedWater(double cell, double first, double last) : first_(first), last_(last) {
-    Breakwater breakwater{cell, cell * 0.625, 2, 2, true, false, true};
+    Breakwater breakwater{cell, cell * 0.625, 2, 2, true};
     grid::GridTrial trial = make_breakwater(breakwater);
     const grid::Mesh& mesh = trial.settings().mesh;
     const int from = mesh.cell_at(0, 200), to = mesh.box.cells[0] - 1;

@@ -15,26 +15,12 @@ void kovasznay(const CaseSetting& setting, CaseReport& report);
 void taylor_green(const CaseSetting& setting, CaseReport& report);
 void slotted_disc(const CaseSetting& setting, CaseReport& report);
 void vortex(const CaseSetting& setting, CaseReport& report);
-void still_water(const CaseSetting& setting, CaseReport& report);
-void filter(const CaseSetting& setting, CaseReport& report);
-void dupuit(const CaseSetting& setting, CaseReport& report);
-void porous_dam_break(const CaseSetting& setting, CaseReport& report);
-void wall_impact(const CaseSetting& setting, CaseReport& report);
-void wall_pressure(const CaseSetting& setting, CaseReport& report);
-void standing_wave(const CaseSetting& setting, CaseReport& report);
 void sway(const CaseSetting& setting, CaseReport& report);
-void rayleigh_taylor(const CaseSetting& setting, CaseReport& report);
 void rising_bubble(const CaseSetting& setting, CaseReport& report);
 
-void solitary_wave(const CaseSetting& setting, CaseReport& report);
 void regular_waves(const CaseSetting& setting, CaseReport& report);
 void wave_propagation(const CaseSetting& setting, CaseReport& report);
-void overtopping(const CaseSetting& setting, CaseReport& report);
 void run_up(const CaseSetting& setting, CaseReport& report);
-void wall_run_up(const CaseSetting& setting, CaseReport& report);
 void oscillating_cylinder(const CaseSetting& setting, CaseReport& report);
-void moving_square(const CaseSetting& setting, CaseReport& report);
-void settling_cylinder(const CaseSetting& setting, CaseReport& report);
-void dam_break_obstacle(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::grid

@@ -37,33 +37,6 @@ Crest crest_of(const GridTrial& trial, const std::string& name) {
 
 }  // namespace
 
-void solitary_wave(const CaseSetting& setting, CaseReport& report) {
-    // Depth 0.5 m; heights of 0.2 and 0.6 depths by the solution of all orders; 30 depths of flume.
-    const double d = 0.5;
-    for (const double ratio : {0.2, 0.6}) {
-        const int per_depth = setting.is_full ? 40 : 20;
-        GridSettings settings =
-            make_tank({}, {30 * d, 2.2 * d, 0.1}, {30 * per_depth / 2, static_cast<int>(2.2 * per_depth), 1});
-        settings.side[3].kind = SideKind::open;
-        const wave::SteadyWave wave = wave::solitary_wave(ratio * d, d, 9.81);
-        const double start = 10 * d / wave.celerity;
-        settings.side[0] = wave_side(settings.mesh, 0, 1, 0, d, waves_of(wave, start), false);
-        GridTrial trial(settings, make_state(settings, [=](const Vec3& x) { return x.y < d; }));
-        trial.add("near", level_at(5 * d, d));
-        trial.add("far", level_at(15 * d, d));
-        trial.run(start + 22 * d / wave.celerity);
-        const Crest near = crest_of(trial, "near"), far = crest_of(trial, "far");
-        const std::string name = fmt::format("H/d = {}, {} cells per depth", ratio, per_depth);
-        report.judge({name + ": height 5 depths from the inlet over H", "-", {}, 1.0, {}}, near.level / (ratio * d),
-                     Relative{0.05});
-        report.judge_below({name + ": loss of height over ten depths", "-", {}, 0.0, {}}, 1 - far.level / near.level,
-                           0.02);
-        report.judge({name + ": celerity", "m/s", {}, wave.celerity, {}}, 10 * d / (far.time - near.time),
-                     Relative{0.01});
-        trial.report_books(report);
-    }
-}
-
 void regular_waves(const CaseSetting& setting, CaseReport& report) {
     // Shallow waves, kd = 0.3: within the range of the absorber. H = 0.02 m in 0.3 m, six wave lengths.
     const double d = 0.3, height = 0.02, period = 2 * M_PI / std::sqrt(9.81 * (0.3 / d) * std::tanh(0.3));
@@ -172,43 +145,6 @@ void wave_propagation(const CaseSetting& setting, CaseReport& report) {
         plot.curves.push_back(std::move(curve));
     }
     write_plot(setting, "wave_propagation", plot);
-}
-
-void overtopping(const CaseSetting& setting, CaseReport& report) {
-    // Steady flow over a broad crest with slopes of 1:2, q = (2/3)^1.5 sqrt(g) H^1.5 with the head H over the crest
-    // [EurOtop2018, ch. 4]; q = 0.1 m^2/s comes in below, what goes over falls out of the domain.
-    const double q = 0.1, crest = 0.3, h = setting.is_full ? 0.00625 : 0.0125;
-    const double factor = std::pow(2.0 / 3, 1.5) * std::sqrt(9.81), head = std::pow(q / factor, 2.0 / 3);
-    GridSettings settings =
-        make_tank({}, {3.2, 0.6, 0.1}, {static_cast<int>(3.2 / (2 * h)), static_cast<int>(std::lround(0.6 / h)), 1});
-    settings.side[1].kind = settings.side[3].kind = SideKind::open;
-    settings.side[0].kind = SideKind::inflow;
-    settings.side[0].inflow = [=](const Vec3& x, double) {
-        return x.y < 0.25 ? Inflow{{q / 0.25, 0, 0}, 1} : Inflow{{}, 0, true};
-    };
-    coupling::GridBody dike;
-    dike.parts.push_back({{{1, 0, -1},
-                           {3, 0, -1},
-                           {2.4, crest, -1},
-                           {1.6, crest, -1},
-                           {1, 0, 1},
-                           {3, 0, 1},
-                           {2.4, crest, 1},
-                           {1.6, crest, 1}},
-                          {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}},
-                          {}});
-    GridTrial trial(settings, make_state(settings, [=](const Vec3& x) { return x.y < crest + head && x.x < 1.8; }));
-    set_open_shares(settings, trial.state(), trial.scratch(), coupling::cut_bodies(settings.mesh, {dike}).open);
-    trial.add("level", [](const GridTrial& t) { return read_level(t.settings(), t.state(), {0.6, 0, 0}, 1); });
-    trial.add("flow", [](const GridTrial& t) { return t.flow_at(2.0); });
-    const double end = 15;
-    trial.run(end);
-    const double level = mean_over(trial.time(), trial.column("level"), end - 5, end);
-    const double over = mean_over(trial.time(), trial.column("flow"), end - 5, end);
-    const double energy = level - crest + std::pow(q / level, 2) / (2 * 9.81);
-    report.judge({"head over the crest at a flow of 0.1 m^2/s", "m", {}, head, {}}, energy, Relative{0.05});
-    report.judge({"flow over the crest", "m^2/s", {}, q, "what comes in"}, over, Relative{0.02});
-    trial.report_books(report);
 }
 
 void run_up(const CaseSetting& setting, CaseReport& report) {

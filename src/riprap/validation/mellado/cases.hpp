@@ -7,8 +7,6 @@
 
 namespace riprap::validation::mellado {
 
-void cylinders(const CaseSetting& setting, CaseReport& report);
-void demolisher(const CaseSetting& setting, CaseReport& report);
 void block_entry(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void floes_4(const CaseSetting& setting, CaseReport& report);
@@ -17,7 +15,6 @@ void floes_9(const CaseSetting& setting, CaseReport& report);
 void floes_fine(const CaseSetting& setting, CaseReport& report);
 void floes_none(const CaseSetting& setting, CaseReport& report);
 void floe_methods(const CaseSetting& setting, CaseReport& report);
-void floe_ensemble(const CaseSetting& setting, CaseReport& report);
 void three_cubes(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::mellado

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
 
 #include "riprap/validation/mellado/cases.hpp"
 #include "riprap/validation/mellado/floe_run.hpp"
@@ -259,33 +258,6 @@ void floe_methods(const CaseSetting& setting, CaseReport& report) {
     const auto [low, high] = std::ranges::minmax(places);
     report.judge({"x of B2 at the end, spread over all six pairs of methods", "m", {}, 0.0, "a quarter of the block"},
                  high - low, 0, 0.018);
-}
-
-// Five members with gaps and gate as uncertain as in the laboratory.
-void floe_ensemble(const CaseSetting& setting, CaseReport& report) {
-    std::vector<double> far;
-    for (unsigned seed = 1; seed <= 5; ++seed) {
-        std::mt19937_64 bits(seed);
-        const auto between = [&](double low, double high) {
-            return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-        };
-        FloeRun run{.depth = 0, .end = setting.is_full ? 3.0 : 1.5};
-        run.more.push_back(fmt::format("body.gate.motion.linear.velocity=[0,0,{}]", between(0.36, 0.44)));
-        for (const std::string_view row : {"A", "B"}) {
-            run.more.push_back(fmt::format("body.{}1.position=[{},{},0.14282]", row, 0.0375 + between(-0.001, 0.001),
-                                           row == "A" ? 0.1125 : 0.0375));
-        }
-        far.push_back(run_floes(setting, "floes_4", run).farthest("B1"));
-    }
-    const auto [low, high] = std::ranges::minmax(far);
-    report.judge({"dry: largest x of B1 before 1.5 s, least of five members",
-                  "m",
-                  0.30,
-                  {},
-                  "experiments 0.18 m, widened by 0.04 m"},
-                 low, 0.14, 0.22);
-    report.judge({"dry: the same, largest of five members", "m", 0.30, {}, "experiments 0.18 m, widened by 0.04 m"},
-                 high, 0.14, 0.22);
 }
 
 }  // namespace riprap::validation::mellado

@@ -12,10 +12,6 @@ void wave_maker(const CaseSetting& setting, CaseReport& report);
 void submarine_wedge(const CaseSetting& setting, CaseReport& report);
 void scott_russell(const CaseSetting& setting, CaseReport& report);
 
-// wedge_methods.cpp
-// common_plane.cpp
-// deformable_blocks.cpp
 void rotating_block(const CaseSetting& setting, CaseReport& report);
-void bar_waves(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::mikola

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scheme of Mueller and others and walls that push, kept for comparison, held to what the default is held to.
+// The scheme of Mueller and others, kept for comparison, held to what the default is held to.
 #include <fmt/format.h>
 
 #include <string>
@@ -46,11 +46,8 @@ void judge_float(const CaseSetting& setting, CaseReport& report, const std::stri
 
 void other_schemes(const CaseSetting& setting, CaseReport& report) {
     const std::vector<std::string> muller{"fluid.scheme=muller", "fluid.artificial_alpha=0.1"};
-    const std::vector<std::string> penalty{"fluid.wall=penalty"};
     judge_tank(setting, report, "muller", muller);
     judge_float(setting, report, "muller", muller);
-    judge_tank(setting, report, "penalty", penalty);
-    judge_float(setting, report, "penalty", penalty);
 }
 
 }  // namespace riprap::validation::water
