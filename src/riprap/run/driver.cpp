@@ -105,6 +105,8 @@ void Driver::take_up(Restart restart, std::optional<double> end, std::optional<s
     announce(fmt::format("resume at step {}", state().step));
     if (simulation_.steps_left() > 0) {
         outputs_ = std::make_unique<Outputs>(folder_, model(), simulation_.initial(), record_, true);
+    } else {
+        require_tables(folder_, model(), record_);  // answers come from the checkpoint, but tables are read by others
     }
 }
 

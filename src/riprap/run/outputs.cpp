@@ -54,6 +54,11 @@ std::vector<sim::Column> scene_columns(const sim::Model& model) {
     return columns;
 }
 
+void require_tables(const RunFolder& folder, const sim::Model& model, const RunRecord& record) {
+    io::require_table(folder.probes(), with_time(sim::record_columns(model)), record.csv_bytes[0]);
+    io::require_table(folder.ledger(), with_time(scene_columns(model)), record.csv_bytes[1]);
+}
+
 double frame_interval(const sim::Model& model) {
     return model.output.interval > 0 ? model.output.interval : model.time.end / 100;
 }

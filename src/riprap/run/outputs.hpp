@@ -56,6 +56,9 @@ class Outputs {
     Due last_written_;
 };
 
+/// Looks at the tables of a run of which nothing is left to do. @throws FileError where rows of them are missing
+void require_tables(const RunFolder& folder, const sim::Model& model, const RunRecord& record);
+
 /// Every quantity of the scene except time that the methods of a case have, vectors by component: the columns of
 /// ledger.csv.
 std::vector<sim::Column> scene_columns(const sim::Model& model);
