@@ -47,6 +47,7 @@ run::SweepOptions study_of(const SweepWords& words) {
         options.points = run::list_of(io::read_file(words.list, most), words.list);
     }
     options.overrides = words.overrides;
+    run::refuse_set_and_varied(options);
     options.out = words.out.empty() ? std::filesystem::path("runs") / (run::short_name(file) + "_sweep")
                                     : std::filesystem::path(words.out);
     options.jobs = words.jobs;

@@ -3,6 +3,7 @@
 import base64 as _base64
 import csv as _csv
 import difflib as _difflib
+import io as _io
 import itertools as _itertools
 import json as _json
 import os as _os
@@ -19,6 +20,7 @@ from typing import Any as _Any
 import numpy as _np
 
 from ._riprap import Case as _Case
+from .errors import FileError as _FileError
 
 
 def _unknown(kind, name, known):
@@ -28,20 +30,42 @@ def _unknown(kind, name, known):
     return KeyError(f"there is no {kind} '{name}'{hint}")
 
 
+def _text_of(path):
+    """What a file of a run holds. A pipe in its place would wait for a writer."""
+    if _os.path.exists(path) and not _os.path.isfile(path):
+        raise _FileError(f"cannot read '{path}': not a regular file")
+    with _pathlib.Path(path).open(newline="", encoding="utf-8", errors="replace") as file:
+        return file.read()
+
+
+def _number(path, line, column, field):
+    """The number of a field of a table; NaN where it is empty."""
+    try:
+        return float(field) if field else _np.nan
+    except ValueError:
+        raise _FileError(f"cannot read '{path}': line {line}, column {column + 1} is {field!r:.60}, "
+                         "where a number should be") from None
+
+
 class Table(dict[str, _np.ndarray]):
     """Columns of a table by name, as arrays; `units` has the unit of each."""
 
     def __init__(self, path: str | _os.PathLike[str]) -> None:
         super().__init__()
         self.units: dict[str, str] = {}
-        with _pathlib.Path(path).open(newline="") as file:
-            rows = [row for row in _csv.reader(file)]
+        text = _text_of(path)
+        try:
+            rows = list(_csv.reader(_io.StringIO(text[:text.rfind("\n") + 1])))  # a run may be writing the last line
+        except _csv.Error as error:
+            raise _FileError(f"cannot read '{path}': {error}") from None
         heads = rows[0] if rows else []
-        body = [row for row in rows[1:] if len(row) == len(heads)]  # a run may be writing the last one
+        for line, row in enumerate(rows[1:], 2):
+            if len(row) != len(heads):
+                raise _FileError(f"'{path}' is damaged: line {line} has {len(row)} fields, the first has {len(heads)}")
         for k, head in enumerate(heads):
             name, _, unit = head.partition(" [")
             self.units[name] = unit.rstrip("]")
-            self[name] = _np.array([float(row[k]) if row[k] else _np.nan for row in body])
+            self[name] = _np.array([_number(path, line, k, row[k]) for line, row in enumerate(rows[1:], 2)])
 
     def __missing__(self, name):
         raise _unknown("column", name, list(self))
@@ -116,8 +140,12 @@ class Frame:
         if kind not in self._read:
             arrays = {}
             if kind in self._files:
-                for element in _xml.parse(self._files[kind]).getroot().iter("DataArray"):
-                    arrays.setdefault(element.get("Name"), _array(element))
+                path = self._files[kind]
+                try:
+                    for element in _xml.fromstring(_text_of(path)).iter("DataArray"):
+                        arrays.setdefault(element.get("Name"), _array(element))
+                except (ValueError, LookupError, _xml.ParseError, _zlib.error) as error:
+                    raise _FileError(f"'{path}' is damaged: {error}") from None
                 arrays = _per_body(arrays) if kind == "bodies" else _renamed(arrays)
             self._read[kind] = _Arrays(kind, arrays)
         return self._read[kind]
@@ -161,17 +189,23 @@ class Run:
     def __init__(self, folder: str | _os.PathLike[str]) -> None:
         self.folder = _pathlib.Path(folder)
         if not (self.folder / "run.json").is_file():
-            from .errors import FileError
-
             parent = self.folder.parent
             runs = [one.name for one in parent.iterdir() if (one / "run.json").is_file()] if parent.is_dir() else []
             near = _difflib.get_close_matches(self.folder.name, runs, 1, 0.5)
-            raise FileError(f"'{folder}' holds no run" + (f"; did you mean '{parent / near[0]}'?" if near else ""))
+            raise _FileError(f"'{folder}' holds no run" + (f"; did you mean '{parent / near[0]}'?" if near else ""))
 
     @property
     def summary(self) -> dict[str, _Any]:
         path = self.folder / "summary.json"
-        return _json.loads(path.read_text()) if path.is_file() else {}
+        if not path.exists():
+            return {}
+        try:
+            summary = _json.loads(_text_of(path))
+        except ValueError:
+            raise _FileError(f"cannot read '{path}': it is no JSON, or ends in the middle") from None
+        if not isinstance(summary, dict):
+            raise _FileError(f"cannot read '{path}': it is no summary of a run")
+        return summary
 
     @property
     def status(self) -> str:

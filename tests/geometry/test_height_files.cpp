@@ -263,5 +263,28 @@ TEST(MeshFacts, count_what_belongs_together) {
     EXPECT_TRUE(is_far({5e6, 0, 0}, {5e6 + 100, 100, 10}));
 }
 
+TEST(EsriGrids, NameTheNumberOfTheHeadThatMakesNoGridAndTakeNanAsAMark) {
+    const auto problem = [](const std::string& text) {
+        try {
+            read_esri_ascii(text, "a.asc", 1);
+        } catch (const CaseError& error) {
+            return to_string(error.problems().front());
+        }
+        return std::string();
+    };
+    const std::string rest = "xllcorner 0\nyllcorner 0\n", heights = "1 2\n3 4\n";
+    EXPECT_THAT(problem("ncols 2\nnrows -2\n" + rest + "cellsize 1\n" + heights),
+                HasSubstr("a.asc:2:7: nrows is \"-2\""));
+    EXPECT_THAT(problem("ncols 2\nnrows 2\n" + rest + "cellsize -1\n" + heights),
+                HasSubstr("a.asc:5:10: cellsize is \"-1\"; a number above 0"));
+    EXPECT_THAT(problem("ncols 2\nnrows 2\nyllcorner 0\n" + heights),
+                HasSubstr("a.asc:4:1: the head of the grid ends without xllcorner, cellsize"));
+    const std::string head = "ncols 2\nnrows 2\n" + rest + "cellsize 1\n";
+    EXPECT_THAT(problem(head + "1 nan\n3 4\n"), HasSubstr("a.asc:6:3: a height is \"nan\""));
+    const HeightGrid grid = read_esri_ascii(head + "NODATA_value nan\n1 NaN\n3 4\n", "a.asc", 1);
+    EXPECT_TRUE(std::isnan(grid.at(1, 1)));
+    EXPECT_EQ(grid.at(0, 1), 1);
+}
+
 }  // namespace
 }  // namespace riprap::geometry

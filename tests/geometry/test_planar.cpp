@@ -241,6 +241,29 @@ TEST(DdaFiles, MalformedTextsAreRefusedWithLineAndColumn) {
     EXPECT_NE(problem_of("<DDA/>").find("there is no <Geometry>"), std::string::npos);
 }
 
+TEST(DdaFiles, WordsThatAreNoneAndSecondElementsAreRefusedAtTheirPlace) {
+    // "dinamic" was read as static, of two properties of one joint type the first was taken, two geometries were
+    // joined.
+    const auto analysis = [](const std::string& what) { return "<DDA><Analysis>\n" + what + "</Analysis></DDA>"; };
+    EXPECT_NE(
+        analysis_problem_of(analysis("<Analysistype type=\"dinamic\"/>")).find("bad.ana:2:21: type is \"dinamic\""),
+        std::string::npos);
+    EXPECT_NE(analysis_problem_of(analysis("<Planestrain flag=\"maybe\"/>")).find("yes or no"), std::string::npos);
+    EXPECT_EQ(analysis_problem_of(analysis("<Analysistype type=\"Static\"/><Planestrain flag=\"no\"/>")), "");
+    const std::string joint = "<Jointproperties type=\"1\"><Friction> 1 </Friction></Jointproperties>\n";
+    EXPECT_EQ(analysis_problem_of(analysis(joint)), "");
+    EXPECT_NE(
+        analysis_problem_of(analysis(joint + joint)).find("bad.ana:3:1: a second <Jointproperties> of type \"1\""),
+        std::string::npos);
+    EXPECT_NE(analysis_problem_of("<DDA><Analysis/>\n<Analysis/></DDA>").find("bad.ana:2:1: a second <Analysis>"),
+              std::string::npos);
+    EXPECT_NE(problem_of("<DDA><Geometry/>\n<Geometry/></DDA>").find("bad.geo:2:1: a second <Geometry>"),
+              std::string::npos);
+    EXPECT_NE(analysis_problem_of(analysis("<Loadpointlist><L> 0 1 2; 0 1 2; </L></Loadpointlist>"))
+                  .find("bad.ana:2:27: time 0 does not follow 0"),
+              std::string::npos);
+}
+
 TEST(DdaFiles, AListThatPromisesAnotherNumberOfEntriesIsRefused) {
     const auto text = [](const std::string& joints, const std::string& points) {
         return "<DDA><Geometry>\n<Jointlist" + joints +

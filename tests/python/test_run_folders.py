@@ -101,5 +101,40 @@ class RunFolders(unittest.TestCase):
                 riprap.run(falling_block(), pathlib.Path(folder, "b"), callback=lambda s: 1 / 0)
 
 
+class DamagedFolders(unittest.TestCase):
+    """What a kill, a full disk or another program left is told, with its place; nothing else is raised, nothing waits."""
+
+    def test_tables_summaries_and_frames_that_are_damaged_are_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            riprap.run(falling_block(end=0.02, output={"interval": 0.01, "probe_interval": 0.005}), folder)
+            run = riprap.open(folder)
+            table = pathlib.Path(folder, "ledger.csv")
+            whole = table.read_text()
+            rows = len(run.ledger["time"])
+            table.write_text(whole[:-1])  # the last number may be cut
+            self.assertEqual(len(run.ledger["time"]), rows - 1)
+            lines = whole.splitlines(keepends=True)
+            for damaged, word in ((lines[0] + lines[1] + "1,2\n" + lines[2], "line 3 has 2 fields"),
+                                  (lines[0] + "x" + lines[1] + lines[2], "line 2, column 1 is 'x"),
+                                  (lines[0] + '"' + lines[1] + lines[2], "line 2")):
+                table.write_text(damaged)
+                with self.assertRaisesRegex(riprap.FileError, word):
+                    run.ledger
+            table.unlink()
+            os.mkfifo(table)
+            with self.assertRaisesRegex(riprap.FileError, "not a regular file"):
+                run.ledger
+            for text in ('{"status": ', "[]"):
+                pathlib.Path(folder, "summary.json").write_text(text)
+                with self.assertRaisesRegex(riprap.FileError, "summary.json"):
+                    run.status
+            frame = sorted(pathlib.Path(folder, "frames").glob("bodies_*"))[0]
+            whole = frame.read_text()
+            for damaged in (whole[:len(whole) // 2], whole.replace("AQAAAAAAAAA", "AQAAAAA!!!"), ""):
+                frame.write_text(damaged)
+                with self.assertRaisesRegex(riprap.FileError, "is damaged"):
+                    riprap.open(folder).frames[0].bodies
+
+
 if __name__ == "__main__":
     sys.exit(unittest.main())

@@ -157,6 +157,36 @@ TEST(Ensemble, a_member_that_draws_what_may_not_be_is_named_before_any_runs_and_
               1U);
 }
 
+TEST(Ensemble, a_member_whose_table_is_damaged_is_told_and_left_out_of_the_bands) {
+    // Bands of a cut table differed with exit code 0; one of other columns ended the program.
+    const TemporaryFolder place;
+    const EnsembleOptions options = options_in(place.path(), 3);
+    ASSERT_EQ(run_ensemble(options), 0);
+    const std::filesystem::path table = options.run.out / "member-2/probes.csv";
+    const std::string whole = io::read_file(table, 1U << 16U),
+                      bands = io::read_file(options.run.out / "bands.csv", 1U << 16U);
+    const std::string heading = whole.substr(0, whole.find('\n') + 1);
+    std::string garbled = whole;
+    garbled[whole.find(',', heading.size())] = ';';
+    for (const std::string& damaged :
+         {whole.substr(0, whole.size() / 2), whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1), heading,
+          std::string("time [s]\n0\n0.02\n"), garbled, std::string("hello\n"), std::string()}) {
+        io::write_file(table, damaged);
+        EXPECT_EQ(run_ensemble(options), 5) << damaged;
+        EXPECT_EQ(
+            gather_bands({options.run.out / "member-1", options.run.out / "member-2", options.run.out / "member-3"})
+                .left_out.size(),
+            1U)
+            << damaged;
+        EXPECT_NE(io::read_file(options.run.out / "bands.csv", 1U << 16U), bands);
+    }
+    std::filesystem::remove(table);
+    EXPECT_EQ(run_ensemble(options), 5);
+    io::write_file(table, whole);  // as the message says
+    EXPECT_EQ(run_ensemble(options), 0);
+    EXPECT_EQ(io::read_file(options.run.out / "bands.csv", 1U << 16U), bands);
+}
+
 TEST(Ensemble, where_all_members_draw_what_may_not_be_nothing_is_written) {
     const TemporaryFolder place;
     const EnsembleOptions options = options_in(place.path(), 3);

@@ -35,6 +35,63 @@ TEST(SweepWords, AGridHasEveryCombinationAndAListItsLines) {
     EXPECT_THROW(run::list_of("a,b\n1\n", "runs.txt"), CaseError);
 }
 
+TEST(SweepWords, AListMayComeFromASpreadsheetAndIsRefusedWithItsPlaceWhereItIsNone) {
+    for (const std::string text : {"\xEF\xBB\xBF"
+                                   "a,b.c\r\n1,2\r\n",
+                                   "a;b.c\n1;2\n", "a\tb.c\n1\t2\n", "a,b.c\r1,2\r", "\"a\",\"b.c\"\n1,2\n"}) {
+        const auto list = run::list_of(text, "runs.txt");
+        ASSERT_EQ(list.size(), 1U) << text;
+        EXPECT_THAT(list[0].overrides, ElementsAre("a=1", "b.c=2")) << text;
+    }
+    const auto problem = [](const std::string& text) {
+        try {
+            run::list_of(text, "runs.txt");
+            return std::string("none");
+        } catch (const CaseError& error) {
+            return to_string(error.problems().at(0));
+        }
+    };
+    using namespace std::string_literals;
+    EXPECT_THAT(problem("a b\n1 2\n"), ::testing::StartsWith("runs.txt:1:1: 'a b' is no key"));
+    EXPECT_THAT(problem("a,b,a\n1,2,3\n"), ::testing::StartsWith("runs.txt:1:1: 'a' stands twice"));
+    EXPECT_THAT(problem("a,b\n1,\n"), ::testing::StartsWith("runs.txt:2:1: no value of 'b'"));
+    EXPECT_THAT(problem("a\n1\0.5\n"s), ::testing::StartsWith("runs.txt:2:2: a byte 0x00"));  // was read as 1
+    EXPECT_THAT(problem("\x1F\x8B\x08"), ::testing::HasSubstr("is compressed (gzip)"));
+}
+
+TEST(SweepWords, AKeyIsVariedOnceAndNotSetToo) {
+    EXPECT_THROW(run::grid_of({{"end", {"1"}}, {"end", {"2"}}}), CaseError);  // the first one went unread
+    run::SweepOptions options;
+    options.points = run::grid_of({{"end", {"1", "2"}}});
+    options.overrides = {"end=3"};
+    EXPECT_THROW(run::refuse_set_and_varied(options), CaseError);
+    options.overrides = {"solid.skin=3"};
+    EXPECT_NO_THROW(run::refuse_set_and_varied(options));
+}
+
+TEST(SweepTables, RowsThatAFinishedRunHasLostMakeItUnreadable) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "run_001");
+    run::SweepOptions options;
+    options.points = run::grid_of({{"end", {"1"}}});
+    options.out = folder.path();
+    std::ofstream(folder / "run_001/summary.json")
+        << R"({"status": "finished", "reason": "", "wall_seconds": 1.0, "expects": [], "time": 1.0})";
+    const auto status = [&](const std::string& rows) {
+        std::ofstream(folder / "run_001/probes.csv") << rows;
+        const std::string csv = run::sweep_csv(run::sweep_json(options));
+        return csv.substr(csv.find("run_001,") + 8, 10);
+    };
+    EXPECT_EQ(status("time [s],x [m]\n0,1\n1,2\n"), "finished,1");
+    for (const char* rows :
+         {"time [s],x [m]\n0,1\n0.5,2\n", "time [s],x [m]\n0,1\n1,2", "time [s],x [m]\n", "time [s],x [m]\n0,1\n1,x2\n",
+          "time [s],x [m]\n0,1;1\n1,2\n", "time [s],x [m]\n0,1\n2,3\n1,2\n", "time [s],x [m]\nnan,1\n1,2\n"}) {
+        EXPECT_EQ(status(rows), "unreadable") << rows;
+    }
+    std::filesystem::remove(folder / "run_001/probes.csv");
+    EXPECT_THAT(run::sweep_csv(run::sweep_json(options)), ::testing::HasSubstr("run_001,unreadable"));
+}
+
 TEST(SweepTables, ADamagedSummaryIsOneRunThatCannotBeRead) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder / "run_001");
@@ -60,6 +117,7 @@ TEST(SweepTables, ASummaryThatSaysFinishedAndNoMoreIsNoFinishedRun) {
         const std::string name = "run_00" + std::to_string(k + 1);
         std::filesystem::create_directories(folder / name);
         std::ofstream(folder / (name + "/summary.json")) << texts[k];
+        std::ofstream(folder / (name + "/probes.csv")) << "time [s]\n0\n";
     }
     testing::internal::CaptureStdout();
     EXPECT_NE(run::gather_study(options), 0);

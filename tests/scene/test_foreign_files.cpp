@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "case_fixture.hpp"
 
@@ -158,9 +159,8 @@ TEST(ForeignHeights, are_told_with_extent_holes_and_precision) {
     EXPECT_THAT(
         loaded.warnings,  // what bodies fall through is said by a run too
         Contains(HasSubstr("h.csv: 5 by 5 points 1 by 1 m apart, 1 without height, the first at (432152, 5103422)")));
-    EXPECT_THAT(
-        loaded.notes,
-        Contains(HasSubstr("x 0 to 4, y 0 to 4, z 10.5 to 14.5 m; 28 triangles in 1 part, 1 hole; steepest 45 deg")));
+    EXPECT_THAT(loaded.notes, Contains(HasSubstr("x 0 to 4, y 0 to 4, z 10.5 to 14.5 m; 28 triangles in 1 part, 1 "
+                                                 "hole, rims 26.24 m long, facing +z; steepest 45 deg")));
     EXPECT_THAT(loaded.notes, Contains(HasSubstr("up to 14.5 m from the origin, where double precision resolves")));
 }
 
@@ -284,6 +284,94 @@ std::string binary_cube(double edge, const Vec3& low) {
         bytes.append(2, '\0');
     }
     return bytes;
+}
+
+TEST(ForeignSurfaces, a_block_of_single_precision_that_stands_askew_is_read) {
+    // It was refused as out of the range of double precision: its faces are plane to single precision only.
+    const TemporaryFolder folder;
+    const std::string shape = with_shape("{ stl = { file = \"cube.stl\", units = \"m\" } }");
+    const std::string straight = binary_cube(1.3, {0.1, 0.2, 0.3});
+    for (const double angle : {0.3, 0.7, 1.1}) {
+        std::string turned = straight;
+        for (std::size_t corner = 96; corner < turned.size(); corner += (corner - 84) % 50 == 36 ? 26 : 12) {
+            std::array<float, 3> x{};
+            std::memcpy(x.data(), turned.data() + corner, 12);
+            const double c = std::cos(angle), s = std::sin(angle), u = x[0], v = x[1], w = x[2];
+            const double y = s * u + c * v;
+            x = {static_cast<float>(c * u - s * v), static_cast<float>(c * y - s * w),
+                 static_cast<float>(s * y + c * w)};
+            std::memcpy(turned.data() + corner, x.data(), 12);
+        }
+        folder.write("cube.stl", turned);
+        const LoadedCase loaded = read(shape, {}, folder.path());
+        EXPECT_NEAR(loaded.model.bodies.mass[0], 2500 * 1.3 * 1.3 * 1.3, 1e-2) << angle;
+        EXPECT_THAT(loaded.notes, Contains(HasSubstr("beside the planes of their faces, and are put into them")));
+    }
+    folder.write("cube.stl", straight);
+    EXPECT_THAT(read(shape, {}, folder.path()).notes, Not(Contains(HasSubstr("put into them"))));
+}
+
+TEST(ForeignSurfaces, a_mesh_whose_faces_wind_opposite_ways_is_refused_with_its_place) {
+    const TemporaryFolder folder;
+    const std::string scene = on_ground("{ mesh = { file = \"m.obj\", units = \"m\", thickness = 0.5 } }");
+    const std::string corners = "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\n";
+    folder.write("m.obj", corners + "f 1 2 3\nf 1 4 3\n");
+    EXPECT_THAT(problems_of(scene, {}, folder.path()),
+                ElementsAre(AllOf(StartsWith("m.obj:6:1: face 1 and face 2, which share the edge"),
+                                  HasSubstr("wind opposite ways"))));
+    folder.write("m.obj", corners + "f 1 2 3\nf 1 3 4\nf 1 3 4\n");
+    EXPECT_THAT(read(scene, {}, folder.path()).warnings, Contains(HasSubstr("1 of 3 triangles, the first of face 3")));
+}
+
+TEST(ForeignTables, files_of_other_kinds_are_named) {
+    const TemporaryFolder folder;
+    using namespace std::string_literals;
+    for (const auto& [bytes, what] : {std::pair("\x1F\x8B\x08\0\0"s, "is compressed (gzip); the file unpacked"),
+                                      {"PK\x03\x04"s, "is an archive (zip)"},
+                                      {"\xFF\xFE"
+                                       "0\0"s,
+                                       "is text in UTF-16; UTF-8 or plain ASCII"},
+                                      {"0\0,\0"
+                                       "0\0,\0"s,
+                                       "is text in UTF-16"},
+                                      {"II*\0\x08"s, "is an image (TIFF)"},
+                                      {"\xD0\xCF\x11\xE0"s, "is a workbook (.xls)"}}) {
+        folder.write("t.csv", bytes);
+        folder.write("t.stl", bytes);
+        EXPECT_THAT(problems_of(minimal_case + "motion = { table = { file = \"t.csv\" } }\n", {}, folder.path()),
+                    ElementsAre(HasSubstr("file \"t.csv\" "s + what)));
+        EXPECT_THAT(problems_of(with_shape("{ stl = { file = \"t.stl\", units = \"m\" } }"), {}, folder.path()),
+                    ElementsAre(HasSubstr("file \"t.stl\" "s + what)));
+    }
+    // Whatever the head of a binary STL says, its length tells it.
+    std::string bytes = binary_cube(1.3, {0.1, 0.2, 0.3});
+    bytes.replace(0, 4, "PK\x03\x04");
+    folder.write("t.stl", bytes);
+    EXPECT_THAT(problems_of(with_shape("{ stl = { file = \"t.stl\", units = \"m\" } }"), {}, folder.path()), IsEmpty());
+}
+
+TEST(ForeignHeights, in_degrees_over_metres_are_warned_of) {
+    const TemporaryFolder folder;
+    std::string heights;
+    for (int j = 0; j < 5; ++j) {
+        for (int i = 0; i < 5; ++i) {
+            heights += fmt::format("{} {} {}\n", 7.5 + 0.01 * i, 47.3 + 0.01 * j, 0.1 * i * j + 0.3 * i + 0.2 * j);
+        }
+    }
+    folder.write("h.xyz", heights);
+    const std::string terrain = "{ terrain = { file = \"h.xyz\", thickness = 0.5 } }";
+    EXPECT_THAT(read(on_ground(terrain), {}, folder.path()).warnings,
+                Contains(HasSubstr("of the ground is steeper than 80 degrees: are x and y in another unit than z")));
+}
+
+TEST(ForeignTables, what_was_read_is_told) {
+    const TemporaryFolder folder;
+    folder.write("t.csv", "0;0;1,5;0\n0,5;-0,25;1,5;2\n");
+    EXPECT_THAT(read(minimal_case + "motion = { table = { file = \"t.csv\" } }\n", {}, folder.path()).notes,
+                Contains("t.csv: 2 rows; t 0 to 0.5 s, x -0.25 to 0 m, y 1.5 m, z 0 to 2 m"));
+    folder.write("t.csv", "0,0,0\n1000,0,0\n0,1000,0\n0,0,500\n");
+    EXPECT_THAT(read(with_shape("{ hull = { file = \"t.csv\", units = \"mm\" } }"), {}, folder.path()).notes,
+                Contains("t.csv: 4 rows; x 0 to 1 m, y 0 to 1 m, z 0 to 0.5 m"));
 }
 
 TEST(ForeignSurfaces, single_precision_far_from_the_origin_is_told_or_refused) {

@@ -95,6 +95,7 @@ analysis = "bar.ana"
     ASSERT_EQ(loaded.model.bodies.size(), 2);
     EXPECT_EQ(loaded.inputs.size(), 2u);
     EXPECT_THAT(loaded.notes, Contains(HasSubstr("bar.geo: 5 joints, 1 fixed, 1 load, 1 measured")));
+    EXPECT_THAT(loaded.notes, Contains(HasSubstr("0 bolts; x 0 to 4, y -1 to 2 m")));
     EXPECT_THAT(loaded.notes, Contains(HasSubstr("measured point (3.5, 0.5) lies in 'bar[")));
     EXPECT_THAT(loaded.warnings, Contains(HasSubstr("friction angle is 30 degrees, the case has 0")));
     EXPECT_THAT(loaded.warnings, Contains(HasSubstr("Young's modulus is 1e+06 Pa")));
@@ -128,7 +129,7 @@ TEST(Sections, loads_of_an_analysis_file_may_vary_in_time) {
     EXPECT_THAT(read(text, {}, folder.path()).warnings,
                 Contains(HasSubstr("1 of the 1 load points of the geometry file have no load")));
     write("0 100 -10; 2 300 -10; 1 0 0;");
-    EXPECT_THAT(problems_of(text, {}, folder.path()), ElementsAre(HasSubstr("load 0: time 1 s does not follow 2 s")));
+    EXPECT_THAT(problems_of(text, {}, folder.path()), ElementsAre(HasSubstr("bar.ana:1:79: time 1 does not follow 2")));
 }
 
 TEST(Sections, a_load_acts_on_the_block_that_its_point_lies_in_or_on) {

@@ -38,6 +38,12 @@ TEST(Spreads, beyond_what_a_key_allows_are_refused) {
                 ElementsAre(HasSubstr("case.toml:13:7: low = 1.5 is above high = 0.5")));
 }
 
+TEST(Spreads, of_one_key_twice_are_refused) {
+    EXPECT_THAT(problems_with("key = \"body.block.position.2\"\nlow = 0.5\nhigh = 1.5\n[[spread]]\nkey = "
+                              "\"body.block.position.2\"\nmean = 0.5\ndeviation = 0.1\n"),
+                ElementsAre(HasSubstr("case.toml:16:7: 'body.block.position.2' has a [[spread]] already")));
+}
+
 TEST(Spreads, with_half_of_what_they_need_are_refused_once_each) {
     const std::vector<std::string> lines{"low = 0.5\n", "high = 1.5\n", "mean = 1.0\n", "deviation = 0.1\n"};
     for (unsigned chosen = 0; chosen < 16; ++chosen) {

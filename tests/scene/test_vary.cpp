@@ -112,6 +112,11 @@ TEST(Vary, refuses_a_key_that_the_case_does_not_have_with_its_place) {
                 ::testing::HasSubstr("density = -1"));
 }
 
+TEST(Vary, refuses_a_key_that_stands_twice) {
+    EXPECT_THAT(problem_of("[[vary]]\nkey = [\"gravity.1\", \"gravity.1\"]\nrows = [[-1.0, -2.0]]\n"),
+                ::testing::StartsWith("case.toml:18:7: a key stands twice"));
+}
+
 TEST(Vary, refuses_answers_that_are_none_of_the_case_or_not_as_many_as_the_values) {
     const std::string vary = "[[vary]]\nkey = \"gravity.1\"\nvalues = [-1.0, -2.0]\n[[vary.expect]]\n";
     EXPECT_THAT(problem_of(vary + "name = \"fal\"\nvalues = [1.0, 2.0]\n"),

@@ -105,7 +105,7 @@ TEST_F(ARunFolder, IsLeftInTheMiddleOfPackingWhenTheUserStops) {
 
 TEST_F(ARunFolder, IsPackedWithThePosesThatBodiesCsvSays) {
     const PageContent content = pack_run(read_run(run_), plenty);
-    const io::CsvTable bodies = io::read_csv(run_ / "bodies.csv");
+    const io::CsvTable bodies = io::read_csv(run_ / "bodies.csv", "name");
     bool is_found = false;
     for (const Chunk& chunk : content.chunks) {
         if (chunk.name != "poses-0") {

@@ -19,9 +19,39 @@ constexpr double most_friction = 89.999;  // degrees
 constexpr const char* ratio = "a Poisson's ratio from -1 to 0.5";
 constexpr const char* friction_range = "an angle in degrees from 0 to below 90";
 
-bool has_flag(const MarkupElement& element, std::string_view key, std::string_view wanted) {
-    const Word* word = element.attribute(key);
-    return word != nullptr && is_same_keyword(word->text, wanted);
+/// Tells which of two words an attribute is; another one is a problem.
+bool is_first_of(const MarkupElement& element, std::string_view key, std::string_view one, std::string_view other,
+                 Numbers& numbers) {
+    const Word* word = numbers.attribute(element, key);
+    if (word == nullptr || is_same_keyword(word->text, other)) {
+        return false;
+    }
+    if (!is_same_keyword(word->text, one)) {
+        numbers.report(*word, fmt::format("{} is {}", key, quote(word->text)), fmt::format("{} or {}", one, other));
+    }
+    return true;
+}
+
+/// Reports a second element of the same name and type.
+void refuse_second(const std::vector<MarkupElement>& elements, const MarkupElement& parent,
+                   const MarkupElement& element, Numbers& numbers) {
+    const auto type_of = [](const MarkupElement& one) {
+        const Word* word = one.attribute("type");
+        return word == nullptr ? std::string_view{} : word->text;
+    };
+    for (const std::size_t child : parent.children) {
+        const MarkupElement& other = elements[child];
+        if (&other == &element) {
+            return;
+        }
+        if (other.name == element.name && type_of(other) == type_of(element)) {
+            numbers.report({element.name, element.line, element.column},
+                           fmt::format("a second <{}> of type {}; the first is in line {}", element.name,
+                                       quote(type_of(element)), other.line),
+                           "each once");
+            return;
+        }
+    }
 }
 
 DdaMaterial read_material(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
@@ -118,6 +148,12 @@ DdaLoadHistory read_load(const MarkupElement& element, Numbers& numbers) {
             return history;
         }
         for (; begin < end; begin += 3) {
+            const auto time = parse_number(element.words[begin].text);
+            if (time && !history.records.empty() && !(*time > history.records.back()[0])) {
+                numbers.report(element.words[begin],
+                               fmt::format("time {} does not follow {}", *time, history.records.back()[0]),
+                               "increasing times");
+            }
             history.records.push_back({numbers.number(element.words[begin], "a time"),
                                        numbers.number(element.words[begin + 1], "a force along x"),
                                        numbers.number(element.words[begin + 2], "a force along y")});
@@ -138,9 +174,9 @@ void read_loads(const std::vector<MarkupElement>& elements, const MarkupElement&
 void read_setting(const std::vector<MarkupElement>& elements, const MarkupElement& element, Numbers& numbers,
                   DdaAnalysis& analysis) {
     if (element.name == "Analysistype") {
-        analysis.is_dynamic = has_flag(element, "type", "dynamic");
+        analysis.is_dynamic = is_first_of(element, "type", "dynamic", "static", numbers);
     } else if (element.name == "Planestrain") {
-        analysis.is_plane_strain = has_flag(element, "flag", "yes");
+        analysis.is_plane_strain = is_first_of(element, "flag", "yes", "no", numbers);
     } else if (element.name == "Numtimesteps") {
         analysis.step_count = numbers.whole(element, "timesteps");
     } else if (element.name == "Maxtimestep") {
@@ -178,8 +214,14 @@ void read_marked_analysis(std::string_view bytes, const std::string& file, Probl
     bool has_analysis = false;
     for (const MarkupElement& element : elements) {
         if (element.name == "Analysis") {
+            if (has_analysis) {
+                numbers.report({element.name, element.line, element.column}, "a second <Analysis>", "one");
+            }
             has_analysis = true;
             for (const std::size_t child : element.children) {
+                if (elements[child].name == "Blockmaterial" || elements[child].name == "Jointproperties") {
+                    refuse_second(elements, element, elements[child], numbers);
+                }
                 read_setting(elements, elements[child], numbers, analysis);
             }
         }

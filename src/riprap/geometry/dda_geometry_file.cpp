@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "riprap/geometry/dda_files.hpp"
@@ -70,6 +71,9 @@ void read_marked_geometry(std::string_view bytes, const std::string& file, Probl
     bool has_geometry = false;
     for (const MarkupElement& element : elements) {
         if (element.name == "Geometry") {
+            if (has_geometry) {
+                numbers.report({element.name, element.line, element.column}, "a second <Geometry>", "one");
+            }
             has_geometry = true;
             for (const std::size_t child : element.children) {
                 const MarkupElement& list = elements[child];
@@ -138,6 +142,25 @@ void read_bare_geometry(std::string_view bytes, const std::string& file, Problem
 
 }  // namespace
 
+namespace {
+
+/// "; x 0 to 40, y 0 to 20 m" of the joints; empty where there are none.
+std::string extent_text(const DdaGeometry& geometry) {
+    if (geometry.joints.empty()) {
+        return "";
+    }
+    Vec2 low = geometry.joints.front().begin, high = low;
+    for (const PlanarJoint& joint : geometry.joints) {
+        for (const Vec2& x : {joint.begin, joint.end}) {
+            low = {std::min(low.x, x.x), std::min(low.y, x.y)};
+            high = {std::max(high.x, x.x), std::max(high.y, x.y)};
+        }
+    }
+    return fmt::format("; x {:.9g} to {:.9g}, y {:.9g} to {:.9g} m", low.x, high.x, low.y, high.y);
+}
+
+}  // namespace
+
 DdaGeometry read_dda_geometry(std::string_view bytes, const std::string& file) {
     DdaGeometry geometry;
     ProblemList problems;
@@ -145,9 +168,9 @@ DdaGeometry read_dda_geometry(std::string_view bytes, const std::string& file) {
     problems.throw_if_any();
     geometry.notes.insert(
         geometry.notes.begin(),
-        fmt::format("{} joints, {} fixed, {} load, {} measured, {} hole points, {} bolts", geometry.joints.size(),
+        fmt::format("{} joints, {} fixed, {} load, {} measured, {} hole points, {} bolts{}", geometry.joints.size(),
                     geometry.fixed_lines.size(), geometry.load_points.size(), geometry.measured_points.size(),
-                    geometry.hole_points.size(), geometry.bolts.size()));
+                    geometry.hole_points.size(), geometry.bolts.size(), extent_text(geometry)));
     return geometry;
 }
 

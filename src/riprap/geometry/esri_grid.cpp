@@ -72,20 +72,42 @@ struct EsriHead {
         }
         return is_twice ? Taken::twice : Taken::yes;
     }
-    bool is_complete() const { return columns && rows && x && y && dx && dy; }
-    bool is_sound() const {
-        const auto is_count = [](double n) { return n >= 2 && n == std::floor(n) && n <= 1e9; };
-        return is_count(*columns) && is_count(*rows) && *dx > 0 && *dy > 0 &&
-               *columns * *rows <= static_cast<double>(most_heights);
+    /// Names of the keys that have not come, parted by commas.
+    std::string missing() const {
+        std::string names;
+        const auto ask = [&names](const std::optional<double>& value, std::string_view name) {
+            names += value ? "" : fmt::format("{}{}", names.empty() ? "" : ", ", name);
+        };
+        ask(columns, "ncols");
+        ask(rows, "nrows");
+        ask(x, "xllcorner");
+        ask(y, "yllcorner");
+        ask(dx && dy ? dx : std::nullopt, "cellsize");
+        return names;
     }
 };
+
+/// Says which numbers a key takes; empty where this one is allowed.
+std::string allowed_of(const Word& key, double value) {
+    const auto is = [&key](std::string_view name) { return is_same_keyword(key.text, name); };
+    if ((is("ncols") || is("nrows")) && !(value >= 2 && value == std::floor(value) && value <= 1e9)) {
+        return fmt::format("a whole number of 2 or more, and at most {} heights", most_heights);
+    }
+    return (is("cellsize") || is("dx") || is("dy")) && !(value > 0) ? "a number above 0" : "";
+}
 
 EsriHead read_head(TextReader& reader, const std::string& file) {
     EsriHead head;
     Word word = reader.peek_word();
     while (!word.is_empty() && std::isalpha(static_cast<unsigned char>(word.text.front())) != 0) {
-        const Word key = reader.next_word();
-        const auto taken = head.take(key, number_of(file, reader.next_word_on_line(), key.text));
+        const Word key = reader.next_word(), text = reader.next_word_on_line();
+        // Programs write "nan" for heights that are none, and as their mark.
+        const bool is_nan = is_same_keyword(key.text, "nodata_value") && is_same_keyword(text.text, "nan");
+        const double value = is_nan ? none : number_of(file, text, key.text);
+        if (const std::string allowed = allowed_of(key, value); !allowed.empty()) {
+            refuse_at(file, text, fmt::format("{} is {}", key.text, quote(text.text)), allowed);
+        }
+        const auto taken = head.take(key, value);
         if (taken != EsriHead::Taken::yes) {
             refuse_at(file, key,
                       taken == EsriHead::Taken::no
@@ -96,10 +118,13 @@ EsriHead read_head(TextReader& reader, const std::string& file) {
         }
         word = reader.peek_word();
     }
-    if (!head.is_complete() || !head.is_sound()) {
-        refuse_at(file, word, "the head of the grid is not complete, or its numbers make no grid",
-                  fmt::format("ncols and nrows of at least 2 and {} points together, xllcorner, yllcorner, cellsize",
-                              most_heights));
+    if (const std::string missing = head.missing(); !missing.empty()) {
+        refuse_at(file, word, fmt::format("the head of the grid ends without {}", missing),
+                  "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, each with its number");
+    }
+    if (!(*head.columns * *head.rows <= static_cast<double>(most_heights))) {
+        refuse_at(file, word, fmt::format("a grid of {:g} by {:g} heights", *head.columns, *head.rows),
+                  fmt::format("at most {} heights", most_heights));
     }
     return head;
 }
@@ -169,8 +194,10 @@ HeightGrid read_esri_ascii(std::string_view text, const std::string& file, doubl
     TextReader heights = reader;
     for (std::int64_t row = grid.rows - 1; row >= 0; --row) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {
-            const double z = number_of(file, reader.next_word(), "a height");
-            grid.z[riprap::at(row * grid.columns + column)] = is_same_mark(z, nodata) ? none : scale * z;
+            const Word word = reader.next_word();
+            const bool is_nan = std::isnan(nodata) && is_same_keyword(word.text, "nan");
+            const double z = is_nan ? none : number_of(file, word, "a height");
+            grid.z[riprap::at(row * grid.columns + column)] = is_nan || is_same_mark(z, nodata) ? none : scale * z;
         }
     }
     if (const Word more = reader.next_word(); !more.is_empty()) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "riprap/core/index.hpp"
+#include "riprap/geometry/surface.hpp"
 
 namespace riprap::geometry {
 
@@ -57,6 +58,31 @@ std::vector<Edge> edges_of(const TriangleMesh& mesh) {
     return edges;
 }
 
+/// Six times the volume that a triangle adds to that of its part, about the point `origin`.
+double six_volumes(const TriangleMesh& mesh, std::int32_t t, const Vec3& origin) {
+    return dot(mesh.corner(t, 0) - origin, cross(mesh.corner(t, 1) - origin, mesh.corner(t, 2) - origin));
+}
+
+/// Looks at the sides of parts: which closed ones face inwards, and where open ones face.
+void look_at_sides(const TriangleMesh& mesh, Sets& triangles, const std::vector<std::int32_t>& open, MeshFacts& facts) {
+    constexpr double least = 0.1;  // of the area: less, and the surface is nearly closed
+    std::vector<double> volume(at(mesh.size()), 0.0);
+    Vec3 sum{};
+    double area = 0;
+    for (std::int32_t t = 0; t < mesh.size(); ++t) {
+        const std::int32_t part = triangles.root(t);
+        if (std::binary_search(open.begin(), open.end(), part)) {
+            sum += mesh.area_normal(t);
+            area += norm(mesh.area_normal(t));
+        } else {
+            volume[at(part)] += six_volumes(mesh, t, facts.low);
+        }
+    }
+    facts.hollows =
+        static_cast<std::int32_t>(std::count_if(volume.begin(), volume.end(), [](double v) { return v < 0; }));
+    facts.outward = norm(sum) > least * area ? normalized(sum) : Vec3{};
+}
+
 /// Counts parts, and rims beyond one for each part that has any.
 void count_parts(const TriangleMesh& mesh, MeshFacts& facts) {
     const std::vector<Edge> edges = edges_of(mesh);
@@ -74,7 +100,9 @@ void count_parts(const TriangleMesh& mesh, MeshFacts& facts) {
         i = end;
     }
     std::vector<std::int32_t> loops, open;
+    facts.rim_edges = static_cast<std::int32_t>(rims.size());
     for (const Edge& rim : rims) {
+        facts.rim_length += norm(mesh.points[at(rim.high)] - mesh.points[at(rim.low)]);
         loops.push_back(points.root(rim.low));
         open.push_back(triangles.root(rim.triangle));
     }
@@ -86,6 +114,8 @@ void count_parts(const TriangleMesh& mesh, MeshFacts& facts) {
         facts.parts += triangles.root(t) == t ? 1 : 0;
     }
     facts.open_parts = count(open);
+    open.resize(at(facts.open_parts));
+    look_at_sides(mesh, triangles, open, facts);
     facts.holes = std::max(0, count(loops) - facts.open_parts);
 }
 
@@ -94,23 +124,55 @@ void count_parts(const TriangleMesh& mesh, MeshFacts& facts) {
 MeshFacts facts_of(const TriangleMesh& mesh, const Vec3& up) {
     MeshFacts facts;
     facts.triangles = mesh.size();
-    facts.low = facts.high = mesh.points.empty() ? Vec3{} : mesh.points.front();
-    for (const Vec3& x : mesh.points) {
-        facts.low = min(facts.low, x);
-        facts.high = max(facts.high, x);
-    }
-    double least = 2;  // cosine
+    facts.low = facts.high = mesh.corners.empty() ? Vec3{} : mesh.corner(0, 0);
+    constexpr double steep = 0.17364817766693033;  // cosine of 80 degrees
+    double least = 2;                              // cosine
+    std::int32_t steep_ones = 0;
     for (std::int32_t t = 0; t < mesh.size(); ++t) {
+        for (int k = 0; k < 3; ++k) {  // a file may have points that no triangle uses
+            facts.low = min(facts.low, mesh.corner(t, k));
+            facts.high = max(facts.high, mesh.corner(t, k));
+        }
         const double cosine = std::abs(dot(up, normalized(mesh.area_normal(t))));
+        steep_ones += cosine < steep ? 1 : 0;
         if (cosine < least) {
             least = cosine;
             facts.at_steepest = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
         }
     }
+    facts.steep_share = mesh.size() > 0 ? static_cast<double>(steep_ones) / mesh.size() : 0;
     facts.steepest = std::acos(std::min(least, 1.0));
     count_parts(mesh, facts);
     return facts;
 }
+
+namespace {
+
+/// "+z" for a vector that points most along z.
+std::string axis_of(const Vec3& v) {
+    constexpr double clearly = 1.1;  // ground that leans by 45 degrees still faces upwards
+    int most = 2;
+    for (int axis = 0; axis < 2; ++axis) {
+        most = std::abs(v[axis]) > clearly * std::abs(v[most]) ? axis : most;
+    }
+    return fmt::format("{}{}", v[most] < 0 ? '-' : '+', "xyz"[most]);
+}
+
+/// "closed, solid inside", "no holes, rim 40 m long, facing +z"
+std::string sides_text(const MeshFacts& facts) {
+    if (facts.open_parts == 0) {
+        return facts.hollows == 0             ? "closed, solid inside"
+               : facts.hollows == facts.parts ? "closed, solid outside"
+                                              : fmt::format("closed, solid outside of {} of them", facts.hollows);
+    }
+    std::string text = facts.holes == 0   ? "no holes"
+                       : facts.holes == 1 ? "1 hole"
+                                          : fmt::format("{} holes", facts.holes);
+    text += fmt::format(", rim{} {:.4g} m long", facts.holes + facts.open_parts > 1 ? "s" : "", facts.rim_length);
+    return norm(facts.outward) > 0 ? text + ", facing " + axis_of(facts.outward) : text;
+}
+
+}  // namespace
 
 std::string text_of(const MeshFacts& facts) {
     const auto plural = [](std::int32_t n, const char* what) {
@@ -121,10 +183,7 @@ std::string text_of(const MeshFacts& facts) {
         "{:.9g}, "
         "{:.6g})",
         facts.low.x, facts.high.x, facts.low.y, facts.high.y, facts.low.z, facts.high.z,
-        plural(facts.triangles, "triangle"), plural(facts.parts, "part"),
-        facts.open_parts == 0 ? "closed"
-        : facts.holes == 0    ? "no holes"
-                              : plural(facts.holes, "hole"),
+        plural(facts.triangles, "triangle"), plural(facts.parts, "part"), sides_text(facts),
         facts.steepest * 180 / std::numbers::pi, facts.at_steepest.x, facts.at_steepest.y, facts.at_steepest.z);
 }
 
@@ -145,6 +204,19 @@ bool is_far(const Vec3& low, const Vec3& high) {
     constexpr double many = 100;
     const Vec3 extent = high - low;
     return farthest(low, high) > many * std::max({extent.x, extent.y, extent.z});
+}
+
+std::pair<Vec3, Vec3> box_of_faces(const Surface& surface) {
+    if (surface.face_vertex.empty()) {
+        return {};
+    }
+    const Vec3& first = surface.vertices[at(surface.face_vertex.front())];
+    std::pair<Vec3, Vec3> box{first, first};
+    for (const std::int32_t i : surface.face_vertex) {
+        box.first = min(box.first, surface.vertices[at(i)]);
+        box.second = max(box.second, surface.vertices[at(i)]);
+    }
+    return box;
 }
 
 std::pair<Vec3, Vec3> box_of(std::span<const Vec3> points) {

@@ -276,6 +276,22 @@ NumberTable read_number_table(std::string_view text, const std::string& file, co
     return TableReader(text, file, form).read();
 }
 
+std::string text_of(const NumberTable& table, const TableForm& form) {
+    std::string text = fmt::format("{} row{};", table.row_count(), table.row_count() == 1 ? "" : "s");
+    for (std::size_t column = 0; column < table.width && table.row_count() > 0; ++column) {
+        double low = table.at(0, column), high = low;
+        for (std::size_t row = 1; row < table.row_count(); ++row) {
+            low = std::min(low, table.at(row, column));
+            high = std::max(high, table.at(row, column));
+        }
+        const ShownUnit unit = column < form.shown.size() ? form.shown[column] : ShownUnit{};
+        text += fmt::format("{} {} {:.9g}", column == 0 ? "" : ",", form.columns[column].name, unit.factor * low);
+        text += low < high ? fmt::format(" to {:.9g}", unit.factor * high) : "";
+        text += unit.name.empty() ? "" : " " + unit.name;
+    }
+    return text;
+}
+
 TableForm table_of_places(std::int64_t most_rows) {
     return {{{"x", {"x", "easting", "east", "e", "rechtswert", "xcoord"}},
              {"y", {"y", "northing", "north", "n", "hochwert", "ycoord"}},

@@ -24,6 +24,12 @@ struct TableColumn {
     std::vector<std::string_view> aliases;  ///< words of headings that mean it, in lower case
 };
 
+/// How numbers of a column are told.
+struct ShownUnit {
+    double factor{1};  ///< SI per unit of the file
+    std::string name;  ///< of the unit in SI
+};
+
 /// Form of the tables that a reader takes.
 struct TableForm {
     std::vector<TableColumn> columns;
@@ -31,7 +37,8 @@ struct TableForm {
     std::int64_t most_rows{0};
     /// Looks at the unit in the heading of a column; may be empty.
     std::function<UnitAnswer(std::size_t column, std::string_view unit)> unit{};
-    bool is_list{false};  ///< rows in any order, such as points: a first row may count those that follow
+    bool is_list{false};             ///< rows in any order, such as points: a first row may count those that follow
+    std::vector<ShownUnit> shown{};  ///< of each column, for text_of(); may be empty
 };
 
 /// Rows of finite numbers.
@@ -68,6 +75,9 @@ struct NumberTable {
 /// @throws CaseError with file:line:column for anything else: a cell that is no finite number, rows of another number
 /// of columns, text between rows, no row at all, a first row that counts the others, UTF-16, too many rows.
 NumberTable read_number_table(std::string_view text, const std::string& file, const TableForm& form);
+
+/// "3 rows; t 0 to 2 s, x -0.1 to 0.1 m, y 0 m": what was read, for someone who gave the table.
+std::string text_of(const NumberTable& table, const TableForm& form);
 
 /// Columns of places: x, y, z.
 TableForm table_of_places(std::int64_t most_rows);

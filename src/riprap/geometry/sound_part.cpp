@@ -78,6 +78,15 @@ bool outlives_merging(const Polyhedron& part, bool is_planar) {
            thickness_of(merged, scale) > coplanar_tolerance * scale && (!is_planar || is_prism_along_z(merged));
 }
 
+/// The problem of a solid whose extents are held, but not its faces.
+GeometryProblem flatness_problem(const Vec3& extents) {
+    return {fmt::format("a part {:.3g} by {:.3g} by {:.3g} m in extent has a corner above a face, or faces so near to "
+                        "each other that double precision makes one of them",
+                        extents.x, extents.y, extents.z),
+            "corners in the planes of their faces to a billionth of the extent, none outside, and a solid that is "
+            "thicker than a millionth of it in all directions"};
+}
+
 }  // namespace
 
 GeometryProblem extent_problem(const Vec3& extents, bool is_planar) {
@@ -104,7 +113,10 @@ std::optional<GeometryProblem> part_problem(const Polyhedron& part, bool is_plan
     // Lengths count against the largest of them, but the width of a planar part is in metres.
     const double unit = is_planar ? 1 : largest;
     if (!outlives_merging(in_units_of(unit, part), is_planar)) {
-        return extent_problem(extents, is_planar);
+        const double smallest =
+            is_planar ? std::min(extents.x, extents.y) : std::min({extents.x, extents.y, extents.z});
+        const bool is_thick = smallest >= safe_slenderness * std::max(largest, unit);
+        return is_thick && !is_planar ? flatness_problem(extents) : extent_problem(extents, is_planar);
     }
     return std::nullopt;
 }

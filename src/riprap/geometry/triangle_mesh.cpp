@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "riprap/core/index.hpp"
+#include "riprap/geometry/fan.hpp"
 #include "riprap/geometry/surface.hpp"
 
 namespace riprap::geometry {
@@ -57,7 +58,8 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
             result.points.push_back(mesh.points[p]);
         }
     }
-    for (const std::array<std::int32_t, 3>& corners : mesh.corners) {
+    for (std::size_t t = 0; t < mesh.corners.size(); ++t) {
+        const std::array<std::int32_t, 3>& corners = mesh.corners[t];
         std::array<std::int32_t, 3> joined{};
         std::transform(corners.begin(), corners.end(), joined.begin(),
                        [&](std::int32_t p) { return number[at(first[at(p)])]; });
@@ -65,6 +67,8 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
         const bool is_collapsed = joined[0] == joined[1] || joined[1] == joined[2] || joined[2] == joined[0];
         if (is_collapsed || !has_area(result, result.size() - 1)) {
             result.corners.pop_back();
+        } else if (!mesh.faces.empty()) {
+            result.faces.push_back(mesh.faces[t]);
         }
     }
     return result;
@@ -74,9 +78,9 @@ TriangleMesh mesh_of(const Surface& surface, double tolerance) {
     TriangleMesh mesh;
     mesh.points = surface.vertices;
     for (std::size_t f = 0; f < surface.face_count(); ++f) {
-        const std::span<const std::int32_t> face = surface.face(f);
-        for (std::size_t k = 2; k < face.size(); ++k) {
-            mesh.corners.push_back({face[0], face[k - 1], face[k]});
+        for (const auto& triangle : triangles_of(surface.vertices, surface.face(f))) {
+            mesh.corners.push_back(triangle);
+            mesh.faces.push_back(static_cast<std::int32_t>(f));
         }
     }
     return welded(mesh, tolerance * (mesh.points.empty() ? 1 : length_scale(mesh.points)));

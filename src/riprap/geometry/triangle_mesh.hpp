@@ -15,6 +15,7 @@ struct Surface;
 struct TriangleMesh {
     std::vector<Vec3> points;                          ///< [m]
     std::vector<std::array<std::int32_t, 3>> corners;  ///< of each triangle, numbers of points
+    std::vector<std::int32_t> faces{};                 ///< of each, the face of the file that it is of; may be empty
 
     std::int32_t size() const { return static_cast<std::int32_t>(corners.size()); }
     const Vec3& corner(std::int32_t triangle, int k) const {
@@ -28,8 +29,9 @@ struct TriangleMesh {
     }
 };
 
-/// Triangles of a surface as read from a file: points nearer than `tolerance` are one, polygons become fans, triangles
-/// without area are left out. @param tolerance  as a share of the extent of the surface [-]
+/// Triangles of a surface as read from a file: points nearer than `tolerance` are one, polygons are parted
+/// into triangles (fan.hpp), and those without area are left out. @param tolerance  as a share of the extent of the
+/// surface [-]
 TriangleMesh mesh_of(const Surface& surface, double tolerance = 1e-9);
 
 /// Joins points that are equal but for round-off and leaves out triangles that have lost their area.

@@ -21,9 +21,11 @@ const char* remedy(int error_number) {
     switch (error_number) {
         case ENOSPC:
         case EDQUOT:
-            return "free some space or choose another folder with --out, then continue with `riprap resume`";
+            return "free some space or choose another folder with --out; `riprap resume` continues a run, the same "
+                   "command a study or ensemble";
         case EFBIG:
-            return "raise the file size limit (`ulimit -f`) or write fewer frames, then continue with `riprap resume`";
+            return "raise the file size limit (`ulimit -f`) or write fewer frames; `riprap resume` continues a run, "
+                   "the same command a study or ensemble";
         case EROFS:
             return "the disk is mounted read-only; write to another one";
         case EACCES:

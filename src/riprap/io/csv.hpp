@@ -27,6 +27,10 @@ std::string csv_text(const std::string& text);
 /// Numbers with the fewest digits that read back as the same double; a missing value (NaN) as an empty field.
 std::string csv_row(std::span<const double> values);
 
+/// Looks at a table that a run has left, without opening it to write. @param bytes  what its checkpoint knows of it
+/// @throws FileError when the file is missing, shorter, or starts with another heading
+void require_table(const std::filesystem::path& path, std::span<const CsvColumn> columns, std::uint64_t bytes);
+
 /// A CSV file that grows while a run goes on. Rows reach the system at `flush`; after a crash the file may be longer
 /// than the last checkpoint knows, so a resumed run cuts it back to the length that its checkpoint recorded.
 class GrowingCsv {

@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
+#include <optional>
+
+#include "riprap/core/printable.hpp"
 
 namespace riprap::io {
 
@@ -44,11 +48,21 @@ CsvColumn column_of(const std::string& heading) {
     return {heading.substr(0, unit), heading.substr(unit + 2, heading.size() - unit - 3)};
 }
 
-double number_of(const std::string& field) {
+/// The number of a field, NaN where it is empty; nothing where it is neither.
+std::optional<double> number_of(const std::string& field) {
+    if (field.empty()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
     double value = 0;
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    return error == std::errc{} && end == field.data() + field.size() ? value
-                                                                      : std::numeric_limits<double>::quiet_NaN();
+    return error == std::errc{} && end == field.data() + field.size() ? std::optional(value) : std::nullopt;
+}
+
+[[noreturn]] void refuse_field(const std::filesystem::path& path, std::size_t line, std::size_t column,
+                               const std::string& field) {
+    constexpr std::size_t most = 40;
+    throw FileError(fmt::format("cannot read '{}': line {}, column {} is \"{}\", where a number should be",
+                                path.string(), line, column + 1, printable(field.substr(0, most))));
 }
 
 }  // namespace
@@ -81,12 +95,28 @@ CsvTable read_csv(const std::filesystem::path& path, std::string_view text_colum
             break;
         }
         for (std::size_t k = 0; k < fields.size(); ++k) {
-            table.values[k].push_back(number_of(fields[k]));
+            const std::optional<double> number = number_of(fields[k]);
+            if (!number && k != text_index) {
+                refuse_field(path, line, k, fields[k]);
+            }
+            table.values[k].push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
         }
         if (text_index < fields.size()) {
             table.texts.push_back(std::move(fields[text_index]));
         }
         at = end + 1;
+    }
+    return table;
+}
+
+CsvTable read_record(const std::filesystem::path& path) {
+    CsvTable table = read_csv(path);
+    const std::vector<double>& time = table.values.front();
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (!std::isfinite(time[i]) || (i > 0 && time[i] < time[i - 1])) {
+            throw FileError(fmt::format("cannot read '{}': the time in line {} is {}, which does not follow",
+                                        path.string(), i + 2, time[i]));
+        }
     }
     return table;
 }

@@ -32,6 +32,10 @@ std::vector<double> array_of(const VtkLayout& layout, std::string_view section, 
         throw FileError(fmt::format("it has no array '{}'", called));
     }
     try {
+        const std::string_view components = vtk_attribute(element->tag, "NumberOfComponents");
+        if (const char* wanted = name.empty() ? "3" : "1"; !components.empty() && components != wanted) {
+            throw FileError(fmt::format("{} components, where {} is read", components, wanted));
+        }
         std::vector<double> numbers = layout.numbers(*element, most);
         if (numbers.size() > most) {
             throw FileError("more values than the file says or a surface may have");

@@ -12,6 +12,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/core/tint.hpp"
+#include "riprap/io/output/output_kinds.hpp"
 #include "riprap/run/check_case.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/run/state_hash.hpp"
@@ -105,6 +106,8 @@ void Driver::take_up(Restart restart, std::optional<double> end, std::optional<s
     announce(fmt::format("resume at step {}", state().step));
     if (simulation_.steps_left() > 0) {
         outputs_ = std::make_unique<Outputs>(folder_, simulation_.loaded(), simulation_.initial(), record_, true);
+    } else {  // answers come from the checkpoint, but tables are read by others
+        io::require_tables(*simulation_.loaded().outputs, folder_.root, model(), record_.csv_bytes);
     }
 }
 

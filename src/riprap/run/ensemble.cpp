@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
+#include "riprap/run/member_table.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/sweep.hpp"
 #include "riprap/scene/build/check_spreads.hpp"
@@ -123,25 +125,55 @@ double draw(const Spread& spread, std::uint64_t seed, std::int64_t member) {
     return spread.mean + spread.deviation * radius * std::cos(2 * std::numbers::pi * stream.uniform());
 }
 
+namespace {
+
+/// The headings of a table as a text that can be compared.
+std::string headings_of(const io::CsvTable& table) { return io::csv_heading(table.columns); }
+
+/// The headings that most of the tables have.
+std::string usual_headings(const std::vector<io::CsvTable>& tables) {
+    std::map<std::string, int> counts;
+    for (const io::CsvTable& table : tables) {
+        ++counts[headings_of(table)];
+    }
+    return std::max_element(counts.begin(), counts.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+}
+
+}  // namespace
+
 Bands gather_bands(const std::vector<std::filesystem::path>& members) {
     std::vector<io::CsvTable> tables;
+    std::vector<std::string> names;
     Bands bands;
+    const auto leave_out = [&bands](const std::string& name, const std::string& why) {
+        bands.left_out.push_back(fmt::format("{} is left out of the bands: {}", name, why));
+    };
     for (const std::filesystem::path& member : members) {
-        if (!std::filesystem::exists(RunFolder{member}.probes())) {
+        const RunFolder folder{member};
+        if (!std::filesystem::exists(folder.probes()) && status_of(folder) != "finished") {
             continue;
         }
         try {
-            io::CsvTable table = io::read_csv(RunFolder{member}.probes());
+            io::CsvTable table = read_probes(folder);
             if (table.row_count() > 0) {
                 tables.push_back(std::move(table));
+                names.push_back(member.filename().string());
             }
         } catch (const FileError& error) {
-            bands.left_out.push_back(
-                fmt::format("{} is left out of the bands: {}", member.filename().string(), error.what()));
+            leave_out(member.filename().string(), error.what());
         }
     }
     if (tables.empty()) {
         return bands;
+    }
+    const std::string usual = usual_headings(tables);
+    for (std::size_t i = tables.size(); i-- > 0;) {
+        if (headings_of(tables[i]) != usual) {
+            leave_out(names[i], "its probes.csv has other columns than those of the other members");
+            tables.erase(tables.begin() + static_cast<std::ptrdiff_t>(i));
+        }
     }
     bands.time = tables[0].values[0];
     for (std::size_t c = 1; c < tables[0].columns.size(); ++c) {

@@ -8,12 +8,12 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
 #include "riprap/run/expects.hpp"
+#include "riprap/run/member_table.hpp"
 #include "riprap/run/run_folder.hpp"
 
 namespace riprap::run {
@@ -23,44 +23,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* unreadable = "unreadable";
-
-[[noreturn]] void refuse(const SourcePlace& place, std::string message, std::string allowed) {
-    Diagnostic problem;
-    problem.place = place;
-    problem.message = std::move(message);
-    problem.allowed = std::move(allowed);
-    throw CaseError(std::move(problem));
-}
-
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
-    return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
-/// Parts a text at commas outside of brackets and quotes.
-std::vector<std::string> values_of(const std::string& text) {
-    std::vector<std::string> values{""};
-    int depth = 0;
-    char quote = 0;
-    for (const char c : text) {
-        if (quote != 0) {
-            quote = c == quote ? '\0' : quote;
-        } else if (c == '"' || c == '\'') {
-            quote = c;
-        } else {
-            depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
-        }
-        if (c == ',' && depth == 0 && quote == 0) {
-            values.emplace_back();
-        } else {
-            values.back() += c;
-        }
-    }
-    std::transform(values.begin(), values.end(), values.begin(), trimmed);
-    return values;
-}
-
-std::string name_of(std::size_t number) { return fmt::format("run_{:03}", number + 1); }
 
 /// Last, least and largest value of a column, those that are missing left out of the last two.
 Json figures_of(const io::CsvColumn& column, const std::vector<double>& values) {
@@ -72,16 +34,13 @@ Json figures_of(const io::CsvColumn& column, const std::vector<double>& values) 
     return {{"unit", column.unit}, {"last", values.back()}, {"min", low}, {"max", high}};
 }
 
-/// The figures of every column of a table but the time. @throws FileError where it has lost rows
-Json columns_of(const std::filesystem::path& file, bool is_finished) {
+/// The figures of every column of the probes but the time. @throws FileError where they have lost rows
+Json columns_of(const RunFolder& folder, bool is_finished) {
     Json columns = Json::object();
-    if (!std::filesystem::exists(file)) {
+    if (!is_finished && !std::filesystem::exists(folder.probes())) {
         return columns;
     }
-    const io::CsvTable table = io::read_csv(file);
-    if (is_finished && table.is_cut) {
-        throw FileError(fmt::format("'{}' is damaged: rows of it are cut off or lost", file.string()));
-    }
+    const io::CsvTable table = read_probes(folder);
     for (std::size_t c = 1; c < table.columns.size() && table.row_count() > 0; ++c) {
         columns[table.columns[c].name] = figures_of(table.columns[c], table.values[c]);
     }
@@ -128,7 +87,7 @@ Json run_of(const SweepOptions& options, const SweepPoint& point) {
     const RunFolder folder{options.out / point.name};
     Json summary = summary_of(folder), columns = Json::object();
     try {
-        columns = columns_of(folder.probes(), summary["status"] == "finished");
+        columns = columns_of(folder, summary["status"] == "finished");
     } catch (const FileError& error) {
         summary["status"] = unreadable;
         summary["reason"] = error.what();
@@ -220,72 +179,6 @@ std::vector<std::string> row_of(const Json& run, const Heading& heading) {
 }
 
 }  // namespace
-
-Variation read_variation(const std::string& text) {
-    const std::size_t equals = text.find('=');
-    Variation variation;
-    if (equals != std::string::npos) {
-        variation = {trimmed(text.substr(0, equals)), values_of(text.substr(equals + 1))};
-    }
-    const auto is_empty = [](const std::string& value) { return value.empty(); };
-    if (variation.key.empty() || std::any_of(variation.values.begin(), variation.values.end(), is_empty)) {
-        refuse({"--vary"}, fmt::format("'{}' does not say what to vary", text), "KEY=VALUE,VALUE,...");
-    }
-    return variation;
-}
-
-std::vector<SweepPoint> grid_of(const std::vector<Variation>& variations) {
-    constexpr std::size_t most = 10'000;
-    std::vector<SweepPoint> points{{}};
-    for (const Variation& variation : variations) {
-        std::vector<SweepPoint> next;
-        for (const SweepPoint& point : points) {
-            for (const std::string& value : variation.values) {
-                next.push_back(point);
-                next.back().overrides.push_back(fmt::format("{}={}", variation.key, value));
-            }
-        }
-        points = std::move(next);
-        if (points.size() > most) {
-            refuse({"--vary"}, fmt::format("{} runs or more", points.size()), fmt::format("at most {}", most));
-        }
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i].name = name_of(i);
-    }
-    return points;
-}
-
-std::vector<SweepPoint> list_of(const std::string& text, const std::string& file) {
-    std::istringstream lines(text);
-    std::string line;
-    std::vector<std::string> keys;
-    std::vector<SweepPoint> points;
-    for (std::uint32_t number = 1; std::getline(lines, line); ++number) {
-        line = trimmed(line);
-        if (line.empty() || line.front() == '#') {
-            continue;
-        }
-        const std::vector<std::string> values = values_of(line);
-        if (keys.empty()) {
-            keys = values;
-            continue;
-        }
-        if (values.size() != keys.size()) {
-            refuse({file, number, 1}, fmt::format("{} values for {} keys", values.size(), keys.size()),
-                   "as many values as the first line has keys; lists in brackets");
-        }
-        SweepPoint point{name_of(points.size()), {}};
-        for (std::size_t k = 0; k < keys.size(); ++k) {
-            point.overrides.push_back(fmt::format("{}={}", keys[k], values[k]));
-        }
-        points.push_back(std::move(point));
-    }
-    if (points.empty()) {
-        refuse({file}, "no runs in the list", "a line of keys, then a line of values for each run");
-    }
-    return points;
-}
 
 std::string sweep_json(const SweepOptions& options) {
     Json runs = Json::array();

@@ -24,11 +24,12 @@ struct Variation {
 };
 Variation read_variation(const std::string& text);
 
-/// Every combination of the values, the last key running fastest.
+/// Every combination of the values, the last key running fastest. @throws CaseError for a key that is varied twice
 std::vector<SweepPoint> grid_of(const std::vector<Variation>& variations);
 
-/// One run per line of a table: keys in the first line, values below, parted by commas as in a variation.
-/// @throws CaseError with the place
+/// One run per line of a table: keys in the first line, values below, parted by commas as in a variation, or by what
+/// the first line has instead: semicolons or tabs. Lines end in LF, CRLF or CR; a byte order mark is passed over.
+/// @throws CaseError with the place, also for a key that stands twice and a value that is missing
 std::vector<SweepPoint> list_of(const std::string& text, const std::string& file);
 
 struct SweepOptions {
@@ -40,6 +41,9 @@ struct SweepOptions {
     int threads{1};                        ///< of each run
     bool quiet{false};
 };
+
+/// @throws CaseError where a key is set in all runs and varied, too: one of both would go unread
+void refuse_set_and_varied(const SweepOptions& options);
 
 /// Runs what is not finished yet, each by a process of its own, several at a time, and writes the tables. A study that
 /// was stopped goes on where it was, by the same call: finished runs stay, others continue from their checkpoints. A

@@ -24,7 +24,7 @@ void note_loss(RecordedRun& run, const io::CsvTable& table, const fs::path& path
 
 io::CsvTable read_table(RecordedRun& run, const fs::path& path) {
     io::CsvTable table;
-    attempt(run, [&] { table = io::read_csv(path); });
+    attempt(run, [&] { table = io::read_record(path); });
     note_loss(run, table, path);
     return table;
 }

@@ -120,7 +120,7 @@ Json curves_of(const std::filesystem::path& file) {
     }
     io::CsvTable table;
     try {
-        table = io::read_csv(file);
+        table = io::read_record(file);
     } catch (const FileError&) {
         return curves;  // the status of the run says so
     }

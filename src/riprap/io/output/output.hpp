@@ -68,7 +68,7 @@ class Output {
 /// and one line in OutputChoices (io/output/output_kinds.hpp) registers it.
 template <class Kind>
 struct OutputKind {
-    static constexpr bool has_table = false;  ///< see Output::table
+    static constexpr bool has_table = false;  ///< see Output::table; if so, columns(model) after the time too
     static KeyList<Kind> keys() { return {}; }
     /// Tells whether frames are written.
     bool has_frames() const { return false; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "riprap/io/output/output.hpp"
@@ -15,6 +16,7 @@ namespace riprap::io {
 struct ProbeTable : OutputKind<ProbeTable> {
     static constexpr std::array<std::string_view, 1> files{"probes.csv"};
     static constexpr bool has_table = true;
+    static std::vector<sim::Column> columns(const sim::Model& model);
     std::unique_ptr<Output> open(const OutputRun& run) const;
 };
 
@@ -22,6 +24,7 @@ struct ProbeTable : OutputKind<ProbeTable> {
 struct LedgerTable : OutputKind<LedgerTable> {
     static constexpr std::array<std::string_view, 1> files{"ledger.csv"};
     static constexpr bool has_table = true;
+    static std::vector<sim::Column> columns(const sim::Model& model);
     std::unique_ptr<Output> open(const OutputRun& run) const;
 };
 
@@ -62,6 +65,11 @@ void for_each_output(const OutputChoices& outputs, const Work& work) {
 
 /// Keys of [output] of all outputs.
 KeyList<OutputChoices> output_keys();
+
+/// Looks at the tables that a run has left, without opening them to write. @param lengths  what its checkpoint knows of
+/// them [bytes] @throws FileError where one is missing, shorter or has other columns
+void require_tables(const OutputChoices& outputs, const std::filesystem::path& folder, const sim::Model& model,
+                    std::span<const std::uint64_t> lengths);
 
 /// Every quantity of the scene except time that the methods of a case have, vectors by component: the columns of
 /// ledger.csv.

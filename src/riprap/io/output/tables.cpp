@@ -9,15 +9,20 @@ namespace riprap::io {
 
 namespace {
 
+std::vector<CsvColumn> headings_of(const std::vector<sim::Column>& columns) {
+    std::vector<CsvColumn> headings{{"time", "s"}};
+    for (const sim::Column& column : columns) {
+        headings.push_back({column.name, column.unit});
+    }
+    return headings;
+}
+
 /// A table of columns after the time.
 class ColumnTable : public Output {
  public:
     ColumnTable(const OutputRun& run, std::string_view file, std::vector<sim::Column> columns)
         : columns_(std::move(columns)) {
-        std::vector<CsvColumn> headings{{"time", "s"}};
-        for (const sim::Column& column : columns_) {
-            headings.push_back({column.name, column.unit});
-        }
+        const std::vector<CsvColumn> headings = headings_of(columns_);
         table_ =
             run.length ? GrowingCsv(run.folder / file, headings, *run.length) : GrowingCsv(run.folder / file, headings);
     }
@@ -67,14 +72,31 @@ class LastBodies : public Output {
 }  // namespace
 
 std::unique_ptr<Output> ProbeTable::open(const OutputRun& run) const {
-    return std::make_unique<ColumnTable>(run, files.front(), sim::record_columns(run.model));
+    return std::make_unique<ColumnTable>(run, files.front(), columns(run.model));
 }
+
+std::vector<sim::Column> ProbeTable::columns(const sim::Model& model) { return sim::record_columns(model); }
 
 std::unique_ptr<Output> LedgerTable::open(const OutputRun& run) const {
-    return std::make_unique<Ledger>(run, files.front(), scene_columns(run.model));
+    return std::make_unique<Ledger>(run, files.front(), columns(run.model));
 }
 
+std::vector<sim::Column> LedgerTable::columns(const sim::Model& model) { return scene_columns(model); }
+
 std::unique_ptr<Output> BodyTable::open(const OutputRun& run) const { return std::make_unique<LastBodies>(run); }
+
+void require_tables(const OutputChoices& outputs, const std::filesystem::path& folder, const sim::Model& model,
+                    std::span<const std::uint64_t> lengths) {
+    std::size_t table = 0;
+    for_each_output(outputs, [&]<class Kind>(const Kind&) {
+        if constexpr (Kind::has_table) {
+            const std::size_t place = table++;
+            if (place < lengths.size() && lengths[place] > 0) {
+                require_table(folder / Kind::files.front(), headings_of(Kind::columns(model)), lengths[place]);
+            }
+        }
+    });
+}
 
 std::vector<sim::Column> scene_columns(const sim::Model& model) {
     std::vector<sim::Column> columns;

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <set>
+#include <string>
 
 #include "riprap/scene/keys/check_keys.hpp"
 #include "riprap/scene/keys/key_table.hpp"
@@ -28,8 +30,13 @@ std::optional<Diagnostic> refusal(Value root, const std::string& key, double val
 
 void check_spreads(const Value& checked, const Value& root, bool is_planar, std::vector<Diagnostic>& problems) {
     const Value* spreads = checked.find("spread");
+    std::set<std::string> keys;
     for (const Value& spread : spreads != nullptr ? spreads->items : std::vector<Value>{}) {
         const Value& key = get(spread, "key");
+        if (!keys.insert(key.text).second) {
+            problems.push_back({key.place, fmt::format("'{}' has a [[spread]] already", key.text), "one of each key"});
+            continue;
+        }
         std::vector<double> ends;
         if (const Value* low = spread.find("low")) {
             const Value& high = get(spread, "high");

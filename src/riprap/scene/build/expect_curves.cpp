@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/scene/build/expect_curves.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "riprap/scene/keys/limits.hpp"
@@ -30,6 +33,22 @@ geometry::TableForm form_of_curve() {
     return form;
 }
 
+/// Warns of points of a curve over time that no run of the case reaches: before its start, or after its end.
+void look_at_times(CaseBuild& build, const SourcePlace& place, const sim::Expect& expect) {
+    const std::vector<double>& along = expect.curve.along;
+    if (expect.curve.quantity != "time" || along.empty()) {
+        return;
+    }
+    const auto [first, last] = std::minmax_element(along.begin(), along.end());
+    if (*first < 0 || *last > build.model.time.end) {
+        build.warnings.push_back(to_string(Diagnostic{
+            place,
+            fmt::format("the points of '{}' go from {:.6g} to {:.6g} s, where the run goes from 0 to {:.6g} s",
+                        expect.name, *first, *last, build.model.time.end),
+            "points within the run: those that it never reaches have no value"}));
+    }
+}
+
 }  // namespace
 
 bool read_curve(CaseBuild& build, const Value& table, sim::Expect& expect) {
@@ -49,6 +68,7 @@ bool read_curve(CaseBuild& build, const Value& table, sim::Expect& expect) {
             expect.curve.along.push_back(point.items[0].as_number());
             expect.curve.value.push_back(point.items[1].as_number());
         }
+        look_at_times(build, points->place, expect);
         return true;
     }
     const Value& file = get(*curve, "file");
@@ -57,6 +77,7 @@ bool read_curve(CaseBuild& build, const Value& table, sim::Expect& expect) {
         expect.curve.along.push_back(rows->at(i, 0));
         expect.curve.value.push_back(rows->at(i, 1));
     }
+    look_at_times(build, file.place, expect);
     return rows.has_value();
 }
 

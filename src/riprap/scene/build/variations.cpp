@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "riprap/scene/keys/check_keys.hpp"
 #include "riprap/scene/keys/key_table.hpp"
@@ -194,6 +196,9 @@ void check_variations(const Value& checked, const Value& root, bool is_planar, s
         const std::vector<std::string> keys = keys_of(vary);
         const std::vector<std::vector<Value>> rows = rows_of(vary);
         const std::size_t before = problems.size();
+        if (std::set<std::string>(keys.begin(), keys.end()).size() < keys.size()) {
+            problems.push_back({get(vary, "key").place, "a key stands twice in one [[vary]]", "each key once"});
+        }
         for (const std::vector<Value>& row : rows) {
             if (row.size() != keys.size()) {
                 problems.push_back({get(vary, "key").place,

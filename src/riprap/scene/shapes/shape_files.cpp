@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "riprap/geometry/convex_hull.hpp"
+#include "riprap/geometry/flatten_polygons.hpp"
 #include "riprap/geometry/mesh_facts.hpp"
 #include "riprap/geometry/obj.hpp"
 #include "riprap/geometry/sound_part.hpp"
@@ -106,7 +107,7 @@ std::optional<geometry::Surface> ShapeLibrary::read_surface(const Value& table, 
 
 void ShapeLibrary::note_solids(const Value& path, const geometry::Surface& surface,
                                const std::vector<Polyhedron>& pieces) {
-    const auto [low, high] = geometry::box_of(surface.vertices);
+    const auto [low, high] = geometry::box_of_faces(surface);
     const bool is_single = surface.grain > 0;
     notes_.push_back(
         fmt::format("{}: x {:.9g} to {:.9g}, y {:.9g} to {:.9g}, z {:.9g} to {:.9g} m; {} faces, {} convex part{}",
@@ -135,7 +136,7 @@ ShapePieces ShapeLibrary::make_surface(const Value& table, bool is_stl) {
         return std::nullopt;
     }
     note_solids(get(table, "file"), *surface, *pieces);
-    const auto [low, high] = geometry::box_of(surface->vertices);
+    const auto [low, high] = geometry::box_of_faces(*surface);
     if (geometry::is_far(low, high)) {
         origin_ = low;
         for (Polyhedron& piece : *pieces) {
@@ -143,6 +144,16 @@ ShapePieces ShapeLibrary::make_surface(const Value& table, bool is_stl) {
                 x -= origin_;
             }
         }
+    }
+    double way = 0;
+    for (Polyhedron& piece : *pieces) {
+        way = std::max(way, geometry::flatten_polygons(piece));
+    }
+    if (way > 0) {
+        notes_.push_back(
+            fmt::format("{}: corners were up to {:.2g} m beside the planes of their faces, and are put "
+                        "into them",
+                        get(table, "file").text, way));
     }
     if (get_boolean(table, "center")) {
         move_to_center_of_mass(*pieces);

@@ -11,6 +11,7 @@
 
 #include "riprap/geometry/ground_cells.hpp"
 #include "riprap/geometry/height_grid.hpp"
+#include "riprap/geometry/mesh_audit.hpp"
 #include "riprap/geometry/mesh_facts.hpp"
 #include "riprap/geometry/obj.hpp"
 #include "riprap/geometry/sound_part.hpp"
@@ -306,15 +307,24 @@ ShapePieces ShapeLibrary::make_mesh(const Value& table) {
     if (!surface) {
         return std::nullopt;
     }
-    const geometry::TriangleMesh mesh = geometry::mesh_of(*surface);
+    geometry::TriangleMesh mesh = geometry::mesh_of(*surface);
     if (!are_few_enough(mesh.size(), table.place, problems_)) {
+        return std::nullopt;
+    }
+    const std::int64_t with_area = mesh.size();
+    const geometry::MeshAudit audit = geometry::audit_mesh(mesh, *surface);
+    for (const std::string& warning : audit.warnings) {
+        warnings_.push_back(fmt::format("{}: {}", path.text, warning));
+    }
+    if (!audit.problems.empty()) {
+        add_problems_of(CaseError(audit.problems), path.place, problems_);
         return std::nullopt;
     }
     std::size_t fans = 0;
     for (std::size_t f = 0; f < surface->face_count(); ++f) {
         fans += surface->face(f).size() - 2;
     }
-    if (const auto left = static_cast<std::int64_t>(fans) - mesh.size(); left > 0) {
+    if (const auto left = static_cast<std::int64_t>(fans) - with_area; left > 0) {
         warnings_.push_back(fmt::format("{}: {} of {} triangles have no area and are left out", path.text, left, fans));
     }
     const double epsilon =
@@ -332,6 +342,14 @@ std::vector<Polyhedron> ShapeLibrary::ground_of(geometry::TriangleMesh mesh, con
                                                 double thickness, const std::optional<Vec3>& down) {
     const geometry::MeshFacts facts = geometry::facts_of(mesh, {0, 0, 1});
     notes_.push_back(fmt::format("{}: {}", file, geometry::text_of(facts)));
+    constexpr double most_steep = 0.5;
+    if (down && facts.steep_share > most_steep) {  // of a height grid, which has no walls
+        warnings_.push_back(
+            fmt::format("{}: {:.0f} % of the ground is steeper than 80 degrees: are x and y in another unit than z, "
+                        "such as degrees "
+                        "or kilometres? 'units' is that of all three",
+                        file, 100 * facts.steep_share));
+    }
     const bool is_double = epsilon == std::numeric_limits<double>::epsilon();
     notes_.push_back(
         fmt::format("{}: {}", file,

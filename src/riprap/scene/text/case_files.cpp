@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "riprap/core/fields.hpp"
+#include "riprap/scene/text/file_kinds.hpp"
 
 namespace riprap::scene {
 
@@ -65,6 +66,9 @@ std::optional<std::string> CaseFiles::read(const std::string& path, std::size_t 
     stream.read(text.data(), static_cast<std::streamsize>(size));
     if (!stream) {
         return refuse("cannot be read", "check its permissions");
+    }
+    if (const std::optional<OtherKind> kind = other_kind(text)) {
+        return refuse(kind->what, kind->allowed);
     }
     Hasher hasher;
     hasher.add(text.data(), text.size());

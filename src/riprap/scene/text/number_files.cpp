@@ -52,6 +52,7 @@ geometry::TableForm form_of(std::vector<ReadColumn> columns, std::int64_t most_r
     form.is_list = columns.front().dimension == dimension::length;
     for (const ReadColumn& column : columns) {
         form.columns.push_back(column.column);
+        form.shown.push_back({column.dimension == dimension::length ? scale : 1, si_unit(column.dimension)});
     }
     form.unit = [columns = std::move(columns), scale](std::size_t k, std::string_view text) {
         return answer_to(text, columns[k], scale);
@@ -71,6 +72,7 @@ std::optional<geometry::NumberTable> read_numbers(CaseFiles& files, const std::s
         for (const std::string& note : table.notes) {
             notes.push_back(fmt::format("{}: {}", path, note));
         }
+        notes.push_back(fmt::format("{}: {}", path, geometry::text_of(table, form)));
         return table;
     } catch (const CaseError& error) {
         add_problems_of(error, place, problems);
