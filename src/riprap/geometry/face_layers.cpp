@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include "riprap/geometry/plane_cells.hpp"
 
@@ -119,6 +120,7 @@ class FaceSections {
     Vec3 place(const PlanePoint& p, double depth) const { return origin_ + p.u * e1_ + p.v * e2_ - depth * normal_; }
     PlanePoint project(const Vec3& x) const { return {dot(x - origin_, e1_), dot(x - origin_, e2_)}; }
     double reach() const { return reach_; }
+    const Vec3& normal() const { return normal_; }
 
  private:
     struct Line {
@@ -224,20 +226,41 @@ class Layer {
             }
             const auto cells = voronoi_cells(at, box, settings_.spacing);
             for (std::size_t i = 0; i < owners.size(); ++i) {
-                sites_.points[LayerSites::index(owners[i])].volume += volume_of(sections_[f], cells[i], top, bottom);
+                give(LayerSites::index(owners[i]), sections_[f], cells[i], top, bottom);
             }
         }
+        move_to_middles();
     }
     const std::vector<LayerPoint>& points() const { return sites_.points; }
 
  private:
-    double volume_of(const FaceSections& face, const PlanePolygon& cell, double top, double bottom) const {
-        const auto area_at = [&](double depth) {
+    /// Adds what a face has of a cell between two depths to the volume of a point, and to its first moment.
+    void give(std::size_t site, const FaceSections& face, const PlanePolygon& cell, double top, double bottom) {
+        moments_.resize(sites_.points.size());
+        LayerPoint& point = sites_.points[site];
+        const double middle = 0.5 * (top + bottom);
+        for (const auto& [depth, weight] : {std::pair{top, 1.0}, std::pair{middle, 4.0}, std::pair{bottom, 1.0}}) {
             PlanePolygon cut = cell;
             face.cut_to_section(cut, depth, 0);
-            return area(cut);
-        };
-        return (bottom - top) / 6 * (area_at(top) + 4 * area_at(0.5 * (top + bottom)) + area_at(bottom));
+            const double share = weight * (bottom - top) / 6 * area(cut);
+            if (share > 0) {
+                point.volume += share;
+                moments_[site] += share * (face.place(centroid(cut), depth) - point.position);
+            }
+        }
+    }
+    /// Moves every point to the middle of what it stands for.
+    void move_to_middles() {
+        moments_.resize(sites_.points.size());
+        for (std::size_t i = 0; i < sites_.points.size(); ++i) {
+            LayerPoint& point = sites_.points[i];
+            Vec3 way = point.volume > 0 ? moments_[i] / point.volume : Vec3{};
+            way.z = settings_.is_slab ? 0 : way.z;
+            if (norm(way) > count_shift * settings_.spacing) {  // a lattice stays what it is
+                point.position += way;
+                point.depth -= dot(way, sections_[section_[i]].normal());
+            }
+        }
     }
     /// A face that ends above the points of this layer.
     void give_to_nearest(std::size_t f, double top, double bottom) {
@@ -250,7 +273,8 @@ class Layer {
             sites_.points.begin(), sites_.points.end(), [&corner](const LayerPoint& a, const LayerPoint& b) {
                 return norm_squared(a.position - corner) < norm_squared(b.position - corner);
             });
-        nearest->volume += volume_of(sections_[f], square(sections_[f].reach()), top, bottom);
+        const auto site = static_cast<std::size_t>(nearest - sites_.points.begin());
+        give(site, sections_[f], square(sections_[f].reach()), top, bottom);
     }
     void place(std::size_t f, const PlanePoint& p, double keep_away) {
         Vec3 x = sections_[f].place(p, depth_);
@@ -258,6 +282,7 @@ class Layer {
         std::int32_t site = sites_.find(x, keep_away * settings_.spacing);
         if (site < 0) {
             site = sites_.add({x, depth_, 0, faces_[f]});
+            section_.push_back(f);
         }
         owners_[f].push_back(site);
     }
@@ -296,6 +321,8 @@ class Layer {
     LayerSites sites_;
     std::vector<PlanePolygon> polygons_;
     std::vector<std::vector<std::int32_t>> owners_;
+    std::vector<std::size_t> section_;  ///< that each point lies under; the first of several
+    std::vector<Vec3> moments_;         ///< of what points stand for, about them [m^4]
 };
 
 }  // namespace

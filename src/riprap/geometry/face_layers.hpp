@@ -29,14 +29,15 @@ struct LayerSettings {
     bool is_slab;    ///< a planar scene: the part lies between z = -dp/2 and dp/2, points on z = 0
 };
 
-/// Points in layers of thickness t under the faces of a convex part, layer k at depth (k + 1/2) t.
+/// Points in layers of thickness t under the faces of a convex part, layer k about depth (k + 1/2) t.
 ///
 /// A layer is the surface of the part drawn in by its depth: points on its corners, along its edges and, on a lattice,
 /// inside its faces, at most about dp apart; a box that a lattice fits gets exactly that lattice. The layer stands for
 /// the piece of the solid whose nearest face lies between k t and (k + 1) t above it, and each point for what of that
 /// piece is nearest to it within the face: areas of Voronoi cells at three depths, integrated by Simpson's rule, exact
 /// for the quadratic growth of a convex section. So the volumes of all layers add up to that of the part, and the wall
-/// lies exactly at the face.
+/// lies exactly at the face. Each point is then moved to the middle of what it stands for, by the first moments of the
+/// same cells: under a round face that is less deep than the middle of the layer.
 ///
 /// t = dp, but a part with inscribed radius R that the layers reach through is divided evenly: t = 2 R/N with
 /// N = max(1, round(2 R/dp)); layers of opposite faces then meet in the middle.

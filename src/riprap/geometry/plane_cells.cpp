@@ -41,6 +41,19 @@ double area(const PlanePolygon& polygon) {
     return 0.5 * twice;
 }
 
+PlanePoint centroid(const PlanePolygon& polygon) {
+    const PlanePoint& o = polygon[0];
+    double twice = 0, u = 0, v = 0;
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        const PlanePoint &p = polygon[i - 1], &q = polygon[i];
+        const double part = (p.u - o.u) * (q.v - o.v) - (q.u - o.u) * (p.v - o.v);
+        twice += part;
+        u += part * (p.u - o.u + q.u - o.u);
+        v += part * (p.v - o.v + q.v - o.v);
+    }
+    return {o.u + u / (3 * twice), o.v + v / (3 * twice)};
+}
+
 PlanePolygon square(double reach) { return {{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}; }
 
 namespace {

@@ -24,6 +24,8 @@ void clip(PlanePolygon& polygon, const HalfPlane& side, PlanePolygon& buffer);
 
 /// [m^2]
 double area(const PlanePolygon& polygon);
+/// Middle of the area of a polygon that has some.
+PlanePoint centroid(const PlanePolygon& polygon);
 
 /// A square about (0, 0) that reaches `reach` to every side.
 PlanePolygon square(double reach);
