@@ -74,6 +74,15 @@ std::string planar_bullet(double speed) {
            body("cube", "box = [0.1, 0.1]", fmt::format("position = [0, 0.3]\nvelocity = [0, -{}]", speed));
 }
 
+/// Two blocks with a slot of nine tenths of a disc between them, and the disc that comes down on it.
+std::string slot(const std::string& more) {
+    return body("left", "box = [2, 1.3]", "position = [-1.054, -0.65]\n" + more) +
+           body("right", "box = [2, 1.3]", "position = [1.054, -0.65]\n" + more);
+}
+std::string disc(double speed) {
+    return body("disc", "sphere = 0.06", fmt::format("position = [0, 0.07]\nvelocity = [0, -{}]", speed));
+}
+
 /// Water of a planar tank.
 std::string water(const std::string& method, const std::string& box, const std::string& more = {},
                   const std::string& domain = "{ low = [-0.2, -0.2], high = [1.2, 1.2] }", double spacing = 0.05) {
@@ -112,7 +121,7 @@ std::vector<Ending> endings() {
         {"deep_contact", "a block on a floor that is too soft",
          gravity + "end = 1\n" + rock("1000") + ground + falling_cube("position = [0, 0, 0.5]"), "normal_stiffness = "},
         {"deep_contact", "a stack of three on such a floor",
-         gravity + "end = 0.5\n" + rock("1e5") + ground + falling_cube("position = [0, 0, 0.5]") +
+         gravity + "end = 0.5\n" + rock("2e4") + ground + falling_cube("position = [0, 0, 0.5]") +
              body("second", "cube = 1", "position = [0, 0, 1.5]") + body("third", "cube = 1", "position = [0, 0, 2.5]"),
          "normal_stiffness = "},
         {"deep_contact", "a slab that comes down on a stack",
@@ -124,6 +133,25 @@ std::vector<Ending> endings() {
          gravity + "end = 1\n" + rock("2e4") + ground +
              falling_cube(
                  "position = [0, 0, 2.5]\norientation = { axis_angle = { axis = [1, 0, 0], angle = 0.785398 } }"),
+         "normal_stiffness = "},
+        {"squeezed", "a disc in a slot", plane + "end = 0.1\n" + rock("1e6") + slot("fixed = true") + disc(3),
+         "normal_stiffness = "},
+        {"squeezed", "a disc in a slot of free blocks", plane + "end = 0.1\n" + rock("1e6") + slot("") + disc(3),
+         "normal_stiffness = "},
+        {"squeezed", "a disc in a slot, by implicit DDA",
+         plane + "end = 0.1\n" + solids("implicit_dda", "contact_stiffness = 1e5") + rock("1e6") +
+             slot("fixed = true") + disc(3),
+         "solid.contact_stiffness = "},
+        {"squeezed", "a disc in a slot, by sphere_dem",
+         plane + "end = 0.05\n" + solids("sphere_dem", "youngs_modulus = 1e6") + rock("1e6") + slot("fixed = true") +
+             disc(3),
+         "solid.youngs_modulus = "},
+        {"gone_through", "a cylinder in a slot",
+         gravity + "end = 0.1\n" + rock("2e7") +
+             body("left", "box = [0.4, 1, 0.1]", "position = [-0.27, 0, 0]\nfixed = true") +
+             body("right", "box = [0.4, 1, 0.1]", "position = [0.27, 0, 0]\nfixed = true") +
+             body("roller", "cylinder = { radius = 0.09, height = 0.3 }",
+                  "position = [0, 0, 0.25]\nvelocity = [0, 0, -12]"),
          "normal_stiffness = "},
         {"deep_contact", "a bullet of implicit DDA",
          weightless + "end = 0.01\n" + solids("implicit_dda", "contact_stiffness = 1e3\nyoungs_modulus = 1e9") +

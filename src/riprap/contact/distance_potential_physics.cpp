@@ -5,6 +5,7 @@
 #include "riprap/contact/find_contacts.hpp"
 #include "riprap/contact/narrowphase/separation.hpp"
 #include "riprap/contact/respond.hpp"
+#include "riprap/contact/sharp_push.hpp"
 
 namespace riprap::contact {
 
@@ -27,10 +28,16 @@ bool find_with_foot(const CornerFoot& foot, const PressedShape& a, const Pressed
         return foot.stand(normal);
     }
     // Takes the energy of the potential along: what turns the faces asks for it.
+    const bool is_stiff = options.corners == Corners::stiff && is_sharp(a.placed.shape) && is_sharp(b.placed.shape);
     DistancePotentialOptions wanted = options;
-    wanted.with_energy = options.with_energy || foot.share() > 0;
+    wanted.with_energy = options.with_energy || foot.share() > 0 || is_stiff;
     if (!find_potential(a, b, wanted, cache, normal)) {
         return false;
+    }
+    if (is_stiff) {
+        SharpPush(a.stiffness + b.stiffness, stiffness_per_area(a, b),
+                  is_planar(a.placed.shape) || is_planar(b.placed.shape))
+            .stiffen(normal);
     }
     if (foot.share() > 0) {
         foot.join(normal);

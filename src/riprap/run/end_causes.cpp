@@ -10,6 +10,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/run/contact_need.hpp"
+#include "riprap/run/deep_pairs.hpp"
 #include "riprap/run/ledger_advice.hpp"
 #include "riprap/run/remedy_text.hpp"
 #include "riprap/sim/settings.hpp"
@@ -42,6 +43,9 @@ std::string carry_within_max_overlap(const Refused& refused) {
         refused.model.solid);
     return stiffness_advice(refused, share);
 }
+
+/// What a gap lets through is hardly deep in its sides: they have to hold it where it is as deep as what is looked at.
+std::string hold_at_the_mouth(const Refused& refused) { return stiffness_advice(refused, deep_overlap); }
 
 /// Half of the step in which the two fastest bodies approach each other by solid::most_approach of the thinnest: their
 /// first touch, anywhere within a step, is then within what a ledger may miss.
@@ -173,6 +177,12 @@ constexpr std::array causes{
              "the stiffness that carries it: `normal_stiffness` of the materials, `solid.contact_stiffness`, or "
              "`solid.youngs_modulus` or `spring_stiffness` of spheres; the `stop` of a motion that presses",
              carry_within_most_overlap},
+    EndCause{"squeezed", "is squeezed through between",
+             "A body goes through a gap narrower than itself: its sides are too soft for what it brings.",
+             "the stiffness that holds it at the mouth of the gap", hold_at_the_mouth},
+    EndCause{"gone_through", "against the push with which they met",
+             "Two bodies go through each other: their contact is too soft for what they bring.",
+             "the stiffness that holds them where they meet", hold_at_the_mouth},
     EndCause{"deep_potential", "of an inscribed radius at", "An overlap is deeper than `solid.max_potential` allows.",
              "the stiffness that carries it", carry_within_max_potential},
     EndCause{"deep_spheres", "of the smaller sphere's radius",

@@ -127,8 +127,7 @@ std::string PassageWatch::look(const sim::Model& model, const sim::State& state,
         return "";
     }
     approached_ = 0;
-    // Spheres that stand for a body let its shape sink into others.
-    if (!sim::tells_depth(model) && !std::isfinite(sim::smallest_stand_in(model))) {
+    if (!sim::tells_depth(model)) {
         const std::vector<DeepPairs::Meeting> meetings = deep_meetings(model, state);
         if (std::string problem = deep_.look(model, state, meetings); !problem.empty()) {
             return problem;

@@ -10,12 +10,16 @@ using namespace key;
 namespace {
 
 KeyList<contact::DistancePotentialOptions> contact_keys() {
-    using contact::DistancePotentialOptions, contact::Potential, contact::Sides;
-    return {choice(&DistancePotentialOptions::potential, "potential",
-                   {{"distance", Potential::distance}, {"fdem", Potential::fdem}},
-                   "Field of a block: normalised distance to its surface, or the FDEM potential (for comparison)."),
-            choice(&DistancePotentialOptions::sides, "sides", {{"both", Sides::both}, {"contactor", Sides::contactor}},
-                   "Integrate the field of both blocks of a pair, or of one (for comparison).")};
+    using contact::Corners, contact::DistancePotentialOptions, contact::Potential, contact::Sides;
+    return {
+        choice(&DistancePotentialOptions::potential, "potential",
+               {{"distance", Potential::distance}, {"fdem", Potential::fdem}},
+               "Field of a block: normalised distance to its surface, or the FDEM potential (for comparison)."),
+        choice(&DistancePotentialOptions::sides, "sides", {{"both", Sides::both}, {"contactor", Sides::contactor}},
+               "Integrate the field of both blocks of a pair, or of one (for comparison)."),
+        choice(&DistancePotentialOptions::corners, "corners", {{"stiff", Corners::stiff}, {"field", Corners::field}},
+               "Corners and edges push as a punch of their size does, or by the field alone (as published). Only with "
+               "the distance potential of both sides.")};
 }
 
 }  // namespace
