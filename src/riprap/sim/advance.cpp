@@ -142,7 +142,7 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& spa
     settle_light_bodies(model, state, fluid, span, data, report);
     outcome = fluid.kick(span, brought.step);
     brought.work_on_free = work_on_free(prediction, data.span_loads, span.dt);
-    note_way(span.dt, prediction);
+    note_way(span.dt, prediction, state.coupling);
     note_gain(model, state, data.span_loads, span.dt, prediction);
     report.through_walls.add(brought.step.through_walls);
     if (report.intruder.empty()) {
@@ -334,7 +334,7 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
     return bytes + data.fluid_loads.bytes() + data.span_loads.bytes() + data.loads.bytes() + prediction.now.bytes() +
            prediction.middle.bytes() +
            bytes_of(prediction.guess, prediction.gained, prediction.moved, prediction.catch_up, prediction.way,
-                    prediction.correction) +
+                    prediction.told, prediction.correction) +
            bytes_of(prediction.kinematics.angular_velocity, prediction.kinematics.inverse_inertia,
                     prediction.kinematics.inverse_mass);
 }

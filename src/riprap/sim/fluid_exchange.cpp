@@ -28,6 +28,23 @@ void add(std::span<const body::Acceleration> velocity, body::Motion& motion) {
 
 }  // namespace
 
+namespace {
+
+/// Lets walls move at t_n, where the density of water is carried from mid-step to mid-step, with the mean velocity that
+/// brings them as far as the forces of both steps moved them: what compression takes is what their work gives.
+void tell_density(const coupling::CouplingState& coupling, double dt, Prediction& prediction) {
+    const double between = 0.5 * (coupling.previous_dt + dt);
+    prediction.told.resize(coupling.untold_way.size());
+    for (std::size_t b = 0; b < prediction.told.size(); ++b) {
+        body::Acceleration& told = prediction.told[b];
+        told = {0.5 * dt * prediction.middle.velocity[b], 0.5 * dt * prediction.middle.angular_velocity[b]};
+        prediction.now.velocity[b] = (coupling.untold_way[b] + told.linear) / between;
+        prediction.now.angular_velocity[b] = (coupling.untold_turn[b] + told.angular) / between;
+    }
+}
+
+}  // namespace
+
 void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction) {
     const body::BodySet& bodies = model.bodies;
     prediction.bodies = state.bodies;
@@ -48,6 +65,7 @@ void predict(const Model& model, const State& state, const TimeSpan& span, doubl
     }
     update_kinematics(bodies, prediction.bodies, span.middle(), prediction.kinematics);
     predict_middle(model, span, prediction);
+    tell_density(state.coupling, span.dt, prediction);
 }
 
 void predict_middle(const Model& model, const TimeSpan& span, Prediction& prediction) {
@@ -83,8 +101,12 @@ void begin_ways(const Model& model, const State& state, double dt, Prediction& p
     }
 }
 
-void note_way(double dt, Prediction& prediction) {
+void note_way(double dt, Prediction& prediction, coupling::CouplingState& coupling) {
     const body::Motion& seen = prediction.middle;
+    for (std::size_t b = 0; b < prediction.told.size(); ++b) {
+        coupling.untold_way[b] = dt * seen.velocity[b] - prediction.told[b].linear;
+        coupling.untold_turn[b] = dt * seen.angular_velocity[b] - prediction.told[b].angular;
+    }
     for (std::size_t b = 0; b < prediction.way.size(); ++b) {
         const body::Acceleration caught = prediction.catch_up.empty() ? body::Acceleration{} : prediction.catch_up[b];
         prediction.way[b].linear += dt * (seen.velocity[b] - caught.linear);
@@ -299,6 +321,8 @@ void reset(const Model& model, coupling::CouplingState& coupling) {
     const std::size_t walls = model.particles() != nullptr ? count : 0;
     coupling.missed_way.assign(walls, {});
     coupling.missed_turn.assign(walls, {});
+    coupling.untold_way.assign(walls, {});
+    coupling.untold_turn.assign(walls, {});
 }
 
 }  // namespace riprap::sim
