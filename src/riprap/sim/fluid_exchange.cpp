@@ -17,6 +17,10 @@ namespace {
 /// walls would go on with the speed that the body lost: a blow.
 constexpr double most_catch_up = 1;
 
+/// Share of the acceleration of a body and of gravity by which its way may differ from the one that the fluid was told
+/// [-].
+constexpr double other_way = 0.001;
+
 Vec3 at_most(const Vec3& v, double size) { return norm(v) > size ? (size / norm(v)) * v : v; }
 
 void add(std::span<const body::Acceleration> velocity, body::Motion& motion) {
@@ -132,6 +136,32 @@ void note_missed_way(const body::BodyState& before, const Prediction& prediction
         coupling.missed_way[b] = is_free ? after.position[b] - before.position[b] - seen.linear : Vec3{};
         coupling.missed_turn[b] = is_free ? turn_between(before, after, b) - seen.angular : Vec3{};
     }
+}
+
+bool go_another_way(const Model& model, const body::BodyState& before, const body::BodyState& after, double dt,
+                    Prediction& prediction, coupling::CouplingState& coupling) {
+    const double per_way = 2 / (dt * dt), gravity = norm(model.gravity.value);
+    bool is_other = false;
+    for (std::size_t b = 0; b < prediction.guess.size(); ++b) {
+        if (!(prediction.kinematics.inverse_mass[b] > 0)) {
+            continue;
+        }
+        const body::Acceleration caught = prediction.catch_up.empty() ? body::Acceleration{} : prediction.catch_up[b];
+        const body::Motion& seen = prediction.middle;
+        const Vec3 way = after.position[b] - before.position[b] - dt * (seen.velocity[b] - caught.linear);
+        const Vec3 turn = turn_between(before, after, b) - dt * (seen.angular_velocity[b] - caught.angular);
+        const Vec3 more = per_way * way, faster = per_way * turn;
+        body::Acceleration& guess = prediction.guess[b];
+        const double arm = std::sqrt((model.bodies.principal_moments[b].x + model.bodies.principal_moments[b].y +
+                                      model.bodies.principal_moments[b].z) /
+                                     model.bodies.mass[b]);
+        const double size = norm(more) + arm * norm(faster);
+        is_other = is_other || size > other_way * (norm(guess.linear) + arm * norm(guess.angular) + gravity);
+        coupling.dry_acceleration[b] += more;
+        coupling.dry_angular_acceleration[b] += faster;
+        guess = {guess.linear + more, guess.angular + faster};
+    }
+    return is_other;
 }
 
 std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling) {
