@@ -54,8 +54,8 @@ struct Dam {
         scheme->kick(state, walls, gravity, span, {}, report);
         drift(settings, state, 0.5 * dt);
         given += report.dissipated_viscous + report.dissipated_collisions + report.dissipated_diffusion +
-                 report.pressure_loss + report.shifted + report.work_on_solids + report.wall_exchange -
-                 report.work_external;
+                 report.pressure_loss + report.shifted + report.work_on_solids + report.wall_exchange +
+                 report.earlier_heat + report.earlier_collisions + report.earlier_exchange - report.work_external;
         impulse += report.impulse;
         time += dt;
         last_dt = dt;

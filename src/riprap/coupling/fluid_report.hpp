@@ -13,8 +13,9 @@ namespace riprap::coupling {
 /// Report of a fluid on one span of a step.
 struct FluidStep {
     fluid::FluidReport fluid;
-    std::vector<double> own;  ///< amounts of the accounts that the fluid names itself, in their order [J]
-    fluid::Passage passage;   ///< through inflows and outflows, after the kick
+    std::vector<double> own;      ///< amounts of the accounts that the fluid names itself, in their order [J]
+    std::vector<double> earlier;  ///< amounts of the same accounts that were due before the kick; none = zero [J]
+    fluid::Passage passage;       ///< through inflows and outflows, after the kick
     WallPassages through_walls;
     std::string intruder;  ///< a moving body among the layers of an opening, and which; empty = none
 };

@@ -28,6 +28,8 @@ struct CouplingState {
     std::vector<Vec3> dry_angular_acceleration;  ///< [rad/s^2]
     /// Way and turn of the last step that the fluid did not see, for walls of particles; else empty [m], [rad].
     std::vector<Vec3> missed_way, missed_turn;
+    /// Way and turn that walls made since the last update of density, beyond what that was told of them [m], [rad].
+    std::vector<Vec3> untold_way, untold_turn;
     std::vector<double> surge;               ///< of paddles that absorb a sea, along their waves; else empty [m/s^2]
     std::vector<std::int32_t> near_samples;  ///< that water or joints may feel, see coupling::near_samples
     double near_travel{-1};  ///< farthest that water or faces can have come since they were found; negative: never [m]
@@ -42,6 +44,8 @@ struct CouplingState {
         if (!self.missed_way.empty()) {
             visit("coupling.missed_way", self.missed_way);
             visit("coupling.missed_turn", self.missed_turn);
+            visit("coupling.untold_way", self.untold_way);
+            visit("coupling.untold_turn", self.untold_turn);
         }
         if (!self.surge.empty()) {
             visit("coupling.surge", self.surge);

@@ -128,9 +128,27 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
     report.is_water_settled = report.is_water_settled && iteration.is_settled();
 }
 
+/// Moves the solids over the step on trial, with the loads found, and takes them back. Tells whether they went another
+/// way than the fluid was told; then the accelerations that it is told next lead there.
+bool foresee_contacts(const Model& model, State& state, Solid& solids, const Cycle& cycle, ScratchData& data) {
+    const body::BodyState before = state.bodies;
+    Kept kept = keep(state);
+    bool is_ok = true;
+    for (std::int64_t k = 0; k < cycle.pieces && is_ok; ++k) {
+        solid::SolidReport piece;
+        is_ok = solids.advance(cycle.piece(k), data.span_loads, Measure::flow, piece).ok();
+    }
+    const body::BodyState after = std::move(state.bodies);
+    take_back(std::move(kept), state);
+    return is_ok && go_another_way(model, before, after, cycle.dt, data.prediction, state.coupling);
+}
+
+/// Most trials of the solids in a step.
+constexpr int most_trials = 16;
+
 /// The fluid from the beginning of a span to its loads and its kick.
-Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& span, ScratchData& data,
-             FluidSpan& brought, StepReport& report) {
+Outcome flow(const Model& model, State& state, Fluid& fluid, Solid& solids, const Cycle& cycle, const TimeSpan& span,
+             ScratchData& data, FluidSpan& brought, StepReport& report) {
     Prediction& prediction = data.prediction;
     const double since = span.time - state.time;
     fluid.drive(span, prediction.correction);
@@ -140,9 +158,14 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& spa
         return outcome;
     }
     settle_light_bodies(model, state, fluid, span, data, report);
+    if (fluid.corrects() && cycle.spans == 1) {  // water that cannot give way: its loads follow the way of bodies
+        for (int k = 0; k < most_trials && foresee_contacts(model, state, solids, cycle, data); ++k) {
+            settle_light_bodies(model, state, fluid, span, data, report);
+        }
+    }
     outcome = fluid.kick(span, brought.step);
     brought.work_on_free = work_on_free(prediction, data.span_loads, span.dt);
-    note_way(span.dt, prediction);
+    note_way(span.dt, prediction, state.coupling);
     note_gain(model, state, data.span_loads, span.dt, prediction);
     report.through_walls.add(brought.step.through_walls);
     if (report.intruder.empty()) {
@@ -155,7 +178,7 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, const TimeSpan& spa
 }
 
 /// The spans of the fluid, to the loads that the solids feel over the step. The last span is not ended yet.
-Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, ScratchData& data,
+Outcome flow_over(const Model& model, State& state, Fluid& fluid, Solid& solids, const Cycle& cycle, ScratchData& data,
                   std::vector<FluidSpan>& spans, StepReport& report) {
     const ScopedTimer timer(data.times.water);
     fluid.tidy(state.step);
@@ -165,7 +188,7 @@ Outcome flow_over(const Model& model, State& state, Fluid& fluid, const Cycle& c
     data.prediction.moved.assign(at(model.bodies.size()), {});
     begin_ways(model, state, cycle.dt, data.prediction);
     for (std::int64_t k = 0; k < cycle.spans; ++k) {
-        Outcome outcome = flow(model, state, fluid, cycle.span(k), data, spans.emplace_back(), report);
+        Outcome outcome = flow(model, state, fluid, solids, cycle, cycle.span(k), data, spans.emplace_back(), report);
         if (!outcome.ok()) {
             return outcome;
         }
@@ -227,7 +250,7 @@ StepReport take_step(const Model& model, State& state, ScratchData& data, Solid&
         report.water_dt_bound = model.time.is_automatic() ? report.water_dt_bound : of_fluid.longest;
         report.status.text = fixed_step_problem(model, state, of_fluid);
         if (report.status.ok()) {
-            report.status = status_of(flow_over(model, state, fluid, cycle, data, spans, report));
+            report.status = status_of(flow_over(model, state, fluid, solids, cycle, data, spans, report));
         }
         data.before = state.bodies;
         loads = data.loads;
@@ -334,7 +357,7 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
     return bytes + data.fluid_loads.bytes() + data.span_loads.bytes() + data.loads.bytes() + prediction.now.bytes() +
            prediction.middle.bytes() +
            bytes_of(prediction.guess, prediction.gained, prediction.moved, prediction.catch_up, prediction.way,
-                    prediction.correction) +
+                    prediction.told, prediction.correction) +
            bytes_of(prediction.kinematics.angular_velocity, prediction.kinematics.inverse_inertia,
                     prediction.kinematics.inverse_mass);
 }

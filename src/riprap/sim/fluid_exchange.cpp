@@ -17,12 +17,33 @@ namespace {
 /// walls would go on with the speed that the body lost: a blow.
 constexpr double most_catch_up = 1;
 
+/// Share of the acceleration of a body and of gravity by which its way may differ from the one that the fluid was told
+/// [-].
+constexpr double other_way = 0.001;
+
 Vec3 at_most(const Vec3& v, double size) { return norm(v) > size ? (size / norm(v)) * v : v; }
 
 void add(std::span<const body::Acceleration> velocity, body::Motion& motion) {
     for (std::size_t b = 0; b < velocity.size(); ++b) {
         motion.velocity[b] += velocity[b].linear;
         motion.angular_velocity[b] += velocity[b].angular;
+    }
+}
+
+}  // namespace
+
+namespace {
+
+/// Lets walls move at t_n, where the density of water is carried from mid-step to mid-step, with the mean velocity that
+/// brings them as far as the forces of both steps moved them: what compression takes is what their work gives.
+void tell_density(const coupling::CouplingState& coupling, double dt, Prediction& prediction) {
+    const double between = 0.5 * (coupling.previous_dt + dt);
+    prediction.told.resize(coupling.untold_way.size());
+    for (std::size_t b = 0; b < prediction.told.size(); ++b) {
+        body::Acceleration& told = prediction.told[b];
+        told = {0.5 * dt * prediction.middle.velocity[b], 0.5 * dt * prediction.middle.angular_velocity[b]};
+        prediction.now.velocity[b] = (coupling.untold_way[b] + told.linear) / between;
+        prediction.now.angular_velocity[b] = (coupling.untold_turn[b] + told.angular) / between;
     }
 }
 
@@ -48,6 +69,7 @@ void predict(const Model& model, const State& state, const TimeSpan& span, doubl
     }
     update_kinematics(bodies, prediction.bodies, span.middle(), prediction.kinematics);
     predict_middle(model, span, prediction);
+    tell_density(state.coupling, span.dt, prediction);
 }
 
 void predict_middle(const Model& model, const TimeSpan& span, Prediction& prediction) {
@@ -83,8 +105,12 @@ void begin_ways(const Model& model, const State& state, double dt, Prediction& p
     }
 }
 
-void note_way(double dt, Prediction& prediction) {
+void note_way(double dt, Prediction& prediction, coupling::CouplingState& coupling) {
     const body::Motion& seen = prediction.middle;
+    for (std::size_t b = 0; b < prediction.told.size(); ++b) {
+        coupling.untold_way[b] = dt * seen.velocity[b] - prediction.told[b].linear;
+        coupling.untold_turn[b] = dt * seen.angular_velocity[b] - prediction.told[b].angular;
+    }
     for (std::size_t b = 0; b < prediction.way.size(); ++b) {
         const body::Acceleration caught = prediction.catch_up.empty() ? body::Acceleration{} : prediction.catch_up[b];
         prediction.way[b].linear += dt * (seen.velocity[b] - caught.linear);
@@ -110,6 +136,32 @@ void note_missed_way(const body::BodyState& before, const Prediction& prediction
         coupling.missed_way[b] = is_free ? after.position[b] - before.position[b] - seen.linear : Vec3{};
         coupling.missed_turn[b] = is_free ? turn_between(before, after, b) - seen.angular : Vec3{};
     }
+}
+
+bool go_another_way(const Model& model, const body::BodyState& before, const body::BodyState& after, double dt,
+                    Prediction& prediction, coupling::CouplingState& coupling) {
+    const double per_way = 2 / (dt * dt), gravity = norm(model.gravity.value);
+    bool is_other = false;
+    for (std::size_t b = 0; b < prediction.guess.size(); ++b) {
+        if (!(prediction.kinematics.inverse_mass[b] > 0)) {
+            continue;
+        }
+        const body::Acceleration caught = prediction.catch_up.empty() ? body::Acceleration{} : prediction.catch_up[b];
+        const body::Motion& seen = prediction.middle;
+        const Vec3 way = after.position[b] - before.position[b] - dt * (seen.velocity[b] - caught.linear);
+        const Vec3 turn = turn_between(before, after, b) - dt * (seen.angular_velocity[b] - caught.angular);
+        const Vec3 more = per_way * way, faster = per_way * turn;
+        body::Acceleration& guess = prediction.guess[b];
+        const double arm = std::sqrt((model.bodies.principal_moments[b].x + model.bodies.principal_moments[b].y +
+                                      model.bodies.principal_moments[b].z) /
+                                     model.bodies.mass[b]);
+        const double size = norm(more) + arm * norm(faster);
+        is_other = is_other || size > other_way * (norm(guess.linear) + arm * norm(guess.angular) + gravity);
+        coupling.dry_acceleration[b] += more;
+        coupling.dry_angular_acceleration[b] += faster;
+        guess = {guess.linear + more, guess.angular + faster};
+    }
+    return is_other;
 }
 
 std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling) {
@@ -299,6 +351,8 @@ void reset(const Model& model, coupling::CouplingState& coupling) {
     const std::size_t walls = model.particles() != nullptr ? count : 0;
     coupling.missed_way.assign(walls, {});
     coupling.missed_turn.assign(walls, {});
+    coupling.untold_way.assign(walls, {});
+    coupling.untold_turn.assign(walls, {});
 }
 
 }  // namespace riprap::sim

@@ -78,11 +78,13 @@ struct OwnSums {
     double closure() const { return stored + lost + given - gained; }
 };
 
-/// Books the amounts of a step and returns the values at the kick; `share` of the step lies before the kick.
-std::vector<double> book(std::span<const Account> accounts, const std::vector<double>& amounts, double* totals,
-                         bool is_first, double share) {
+/// Books the amounts of a step and returns the values at the kick; `share` of the step lies before the kick, and all of
+/// `earlier`.
+std::vector<double> book(std::span<const Account> accounts, const std::vector<double>& amounts,
+                         const std::vector<double>& earlier, double* totals, bool is_first, double share) {
     std::vector<double> values(accounts.size(), 0.0);
     for (std::size_t i = 0; i < accounts.size(); ++i) {
+        totals[i] += !is_first && i < earlier.size() ? earlier[i] : 0;
         const double amount = i < amounts.size() ? amounts[i] : 0;
         switch (accounts[i].booking) {
             case Booking::at_kick:
@@ -207,7 +209,7 @@ Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerS
         ledger.angular_impulse += kick.released_angular_momentum;
     }
 
-    ledger.own = book(accounts.solid, step.own, totals.data() + own_accounts, is_first, step.kick_share);
+    ledger.own = book(accounts.solid, step.own, {}, totals.data() + own_accounts, is_first, step.kick_share);
     const OwnSums own = add_up(accounts.solid, ledger.own);
     const double work = ledger.driven + ledger.external + ledger.gravity_change + ledger.released;
     const double lost = ledger.friction + ledger.contact_damping + ledger.damping + own.lost;
@@ -243,7 +245,8 @@ void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerS
     fluid.internal = step.internal;
     fluid.work_on_solids = add_across(totals[fluid_on_solids], step.work_on_solids);
     fluid.work_external = add_across(totals[fluid_external], step.work_external);
-    fluid.own = book(accounts.fluid, all.step.own, totals.data() + own_accounts + accounts.solid.size(), is_first, 0.5);
+    fluid.own = book(accounts.fluid, all.step.own, all.step.earlier,
+                     totals.data() + own_accounts + accounts.solid.size(), is_first, 0.5);
     OwnSums own = add_up(accounts.fluid, fluid.own);
     fluid.artificial = own.artificial;
     fluid.transported = totals[fluid_transported];

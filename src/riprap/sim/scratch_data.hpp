@@ -22,11 +22,12 @@ struct Prediction {
     std::vector<Vec3> moved;  ///< beyond what the velocities of the State move them in that time [m]
     /// Velocity that makes up over this step for what walls missed in the last one; empty: none [m/s, rad/s].
     std::vector<body::Acceleration> catch_up;
-    std::vector<body::Acceleration> way;  ///< that the fluid saw so far in this step, without catch_up [m, rad]
-    std::vector<Vec3> correction;         ///< acceleration of driven bodies beyond their motion; may be empty [m/s^2]
-    body::BodyState bodies;               ///< at mid-step, as they drift there
-    body::BodyKinematics kinematics;      ///< ... there
-    body::Motion now, middle;             ///< at t_n and at mid-step
+    std::vector<body::Acceleration> way;   ///< that the fluid saw so far in this step, without catch_up [m, rad]
+    std::vector<body::Acceleration> told;  ///< way to mid-step that the density of the fluid was told [m, rad]
+    std::vector<Vec3> correction;          ///< acceleration of driven bodies beyond their motion; may be empty [m/s^2]
+    body::BodyState bodies;                ///< at mid-step, as they drift there
+    body::BodyKinematics kinematics;       ///< ... there
+    body::Motion now, middle;              ///< at t_n and at mid-step
 };
 
 struct MethodScratch;  // method_scratch.hpp

@@ -51,7 +51,7 @@ struct Water {
         dissipated_diffusion += report.dissipated_diffusion;
         shifted += report.shifted;
         work_on_solids += report.work_on_solids;
-        wall_exchange += report.wall_exchange;
+        wall_exchange += report.wall_exchange + report.earlier_exchange;
         work_external += report.work_external;
         impulse += report.impulse;
         time += dt;

@@ -40,12 +40,12 @@ struct Pool {
         drift(settings, state, 0.5 * dt);
         accelerate(settings, state, walls, gravity, dt, time, scratch, report);
         drift(settings, state, 0.5 * dt);
-        viscous += report.dissipated_viscous;
+        viscous += report.dissipated_viscous + report.earlier_heat;
         diffusion += report.dissipated_diffusion;
-        collisions += report.dissipated_collisions;
+        collisions += report.dissipated_collisions + report.earlier_collisions;
         shifted += report.shifted;
         work_on_solids += report.work_on_solids;
-        wall_exchange += report.wall_exchange;
+        wall_exchange += report.wall_exchange + report.earlier_exchange;
         work_external += report.work_external;
         impulse += report.impulse;
         time += dt;

@@ -278,7 +278,7 @@ TEST(WcmpsConstants, a_particle_that_falls_on_the_surface_loses_in_collisions_wh
     pool.step(1e-9);  // no force has time to act
     const double lost = before - kinetic_of(pool);
     EXPECT_GT(lost, 0.1 * before);
-    EXPECT_NEAR(pool.report.dissipated_collisions, lost, 1e-3 * lost);
+    EXPECT_NEAR(pool.report.earlier_collisions, lost, 1e-3 * lost);
 }
 
 /// The particle nearest to a place given in spacings.

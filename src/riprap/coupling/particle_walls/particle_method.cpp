@@ -181,6 +181,7 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
                   0,  // straining: known once the blocks have moved
                   absorbed,
                   flow_work};
+    report.earlier = {of.earlier_heat, of.earlier_collisions, 0, 0, 0, of.earlier_exchange};
     report.through_walls = scratch.penalty.passages();
     report.intruder = find_intruder(scene_->bodies, *water_, scratch);
     return {report.fluid.problem, 0, report.fluid.remedy};

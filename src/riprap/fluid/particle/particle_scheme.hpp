@@ -28,7 +28,8 @@ struct FluidTimeStep {
 /// Energies and losses of the fluid [J], measured at the kick like those of bodies (sim/ledger.hpp). The sum
 ///
 ///     kinetic + potential + internal + sums over steps of (dissipated_viscous + dissipated_collisions
-///         + dissipated_diffusion + pressure_loss + shifted + work_on_solids + wall_exchange - work_external)
+///         + dissipated_diffusion + pressure_loss + shifted + work_on_solids + wall_exchange + earlier_heat
+///         + earlier_collisions + earlier_exchange - work_external)
 ///
 /// stays the same (docs/theory/sph.md, 6).
 struct FluidReport {
@@ -43,6 +44,9 @@ struct FluidReport {
     double work_on_solids{0};         ///< in this step
     double wall_exchange{0};          ///< in this step: work of mirrored wall pressure that no body sees
     double work_external{0};          ///< in this step, by extra forces and by gravity along periodic axes
+    double earlier_heat{0};           ///< what is due of dissipated_viscous before the kick, and not in it
+    double earlier_collisions{0};     ///< the same of dissipated_collisions
+    double earlier_exchange{0};       ///< the same of wall_exchange
     Vec3 momentum{}, impulse{};  ///< of the fluid after the step [kg m/s]; of gravity, walls, extra forces in it [N s]
     double mass{0};              ///< [kg]
     double max_speed{0}, max_acceleration{0};

@@ -48,6 +48,7 @@ void book_kick(const ParticleSettings& settings, std::int64_t count, const Vec3&
     report.potential = sums.potential;
     report.dissipated_viscous = dt * sums.heat;
     report.wall_exchange = dt * sums.exchange;
+    report.earlier_exchange = dt * sums.earlier_exchange;
     report.work_external = dt * sums.external;
     report.momentum = sums.momentum;
     report.mass = settings.particle_mass * static_cast<double>(count);

@@ -12,7 +12,7 @@ namespace riprap::fluid {
 
 /// Sums of a kick over the particles.
 struct KickSums {
-    double kinetic{0}, potential{0}, heat{0}, exchange{0}, external{0};
+    double kinetic{0}, potential{0}, heat{0}, exchange{0}, earlier_exchange{0}, external{0};
     double speed_squared{0}, acceleration_squared{0};
     Vec3 momentum{}, extra{};
 };
@@ -22,6 +22,7 @@ struct AddKickSums {
         a.potential += b.potential;
         a.heat += b.heat;
         a.exchange += b.exchange;
+        a.earlier_exchange += b.earlier_exchange;
         a.external += b.external;
         a.speed_squared = std::max(a.speed_squared, b.speed_squared);
         a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
@@ -55,7 +56,10 @@ struct KickParticle {
         sums.kinetic = 0.5 * m * dot(before, after);
         sums.potential = -m * dot(downward, water.position[i]);
         sums.heat = v * (0.5 * heat[i] + wall_heat[i]);
-        sums.exchange = 0.5 * dot(v * wall_hold.vector(i), before + after) - v * wall_hold_power[i];
+        // half of it along the velocity before the kick, half along that after it
+        const Vec3 hold = v * wall_hold.vector(i);
+        sums.exchange = dot(hold, after) - v * wall_hold_power[i];
+        sums.earlier_exchange = 0.5 * dot(hold, before - after);
         sums.external = 0.5 * dot(extra + m * along, before + after);
         sums.speed_squared = norm_squared(after);
         sums.acceleration_squared = norm_squared(acceleration);

@@ -209,8 +209,8 @@ void update_density(const WcmpsSettings& settings, ParticleState& state, const B
         return Losses{a.diffusion + b.diffusion, a.heat + b.heat, a.exchange + b.exchange};
     });
     report.dissipated_diffusion = losses.diffusion;
-    report.dissipated_viscous = losses.heat;
-    report.wall_exchange = losses.exchange;
+    report.earlier_heat = losses.heat;
+    report.earlier_exchange = losses.exchange;
 }
 
 }  // namespace riprap::fluid::wcmps

@@ -18,7 +18,7 @@ using wcmps::resistance_to_sound;
 namespace {
 
 struct Sums {
-    double kinetic{0}, potential{0}, internal{0}, heat{0}, exchange{0}, external{0}, collisions{0};
+    double kinetic{0}, potential{0}, internal{0}, heat{0}, exchange{0}, earlier_exchange{0}, external{0}, collisions{0};
     double speed_squared{0}, acceleration_squared{0};
     Vec3 momentum{}, extra{};
 };
@@ -29,6 +29,7 @@ Sums operator+(Sums a, const Sums& b) {
     a.internal += b.internal;
     a.heat += b.heat;
     a.exchange += b.exchange;
+    a.earlier_exchange += b.earlier_exchange;
     a.external += b.external;
     a.collisions += b.collisions;
     a.speed_squared = std::max(a.speed_squared, b.speed_squared);
@@ -39,8 +40,9 @@ Sums operator+(Sums a, const Sums& b) {
 }
 
 /// v += collision + dt (force + extra force)/m + dt g, and the report of all that belongs to particles. With v' after
-/// the collision c, kinetic energy is m/2 v' v_(n+1): a collision takes m (v c + c^2/2) and half of what the step's
-/// acceleration gives to c, and forces work on the speeds of both steps, (v + v_(n+1))/2.
+/// the collision c, kinetic energy is m/2 v' v_(n+1): before the kick a collision takes m (v c + c^2/2) and half of
+/// what the step's acceleration gives to c, as places and densities never saw it. Forces work along v before the kick
+/// and along v_(n+1) after it.
 void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
           const WcmpsScratchData& s, bool collides, const SparseVectors& extra_force, WcmpsReport& report) {
     const double m = settings.particle_mass, resistance = m / settings.rest_density * resistance_to_sound(settings);
@@ -62,7 +64,8 @@ void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravi
         const double squeezed = divergence * s.continuity.rate[i] / s.water.concentration[i] - s.continuity.slip[i];
         state.dilution[i] = 0.5 * dt * s.continuity.damped[i];
         sums.heat = s.forces.heat[i] + 0.5 * resistance * s.continuity.damped[i] * squeezed;
-        sums.exchange = 0.5 * dot(s.forces.wall_hold[i], before + after) - s.forces.wall_hold_power[i];
+        sums.exchange = dot(s.forces.wall_hold[i], after) - s.forces.wall_hold_power[i];
+        sums.earlier_exchange = 0.5 * dot(s.forces.wall_hold[i], before - after);
         sums.external = 0.5 * dot(extra + m * along, before + after);
         sums.speed_squared = norm_squared(after);
         sums.acceleration_squared = norm_squared(acceleration);
@@ -75,9 +78,10 @@ void kick(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravi
     report.kinetic = sums.kinetic;
     report.potential = sums.potential;
     report.internal = sums.internal;
-    report.dissipated_viscous += dt * sums.heat;
-    report.wall_exchange += dt * sums.exchange;
-    report.dissipated_collisions = sums.collisions;
+    report.dissipated_viscous = dt * sums.heat;
+    report.wall_exchange = dt * sums.exchange;
+    report.earlier_exchange += dt * sums.earlier_exchange;
+    report.earlier_collisions = sums.collisions;
     report.work_external = dt * sums.external;
     report.momentum = sums.momentum;
     report.mass = m * static_cast<double>(state.size());
