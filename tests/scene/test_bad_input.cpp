@@ -331,5 +331,35 @@ TEST(BadInput, a_planar_scene_stays_in_its_plane) {
                 ElementsAre(HasSubstr("polygon is for dimension = 2; use prism")));
 }
 
+TEST(BadInput, entries_of_lists_are_told_at_their_own_place) {
+    const std::string planar = R"(dimension = 2
+gravity = [0, -9.81]
+end = 1
+[material.m]
+density = 2500
+[solid]
+method = "planar_dda"
+[[body]]
+name = "g"
+material = "m"
+fixed = true
+)";
+    EXPECT_THAT(problems_of(planar + "shape = { terrain = { profile = [[0, -1],\n [1, -1],\n  [0.5, -1]] } }\n"),
+                testing::ElementsAre(testing::StartsWith("case.toml:14:3: the points of the profile do not go")));
+    EXPECT_THAT(
+        problems_of(planar + "shape = { box = [1, 1] }\n[fluid]\nmethod = \"hydrostatic\"\nspacing = 0.1\n"
+                             "density = 1000\ndomain = { low = [-5, -5], high = [5, 5] }\n"
+                             "region = [{ level = 1.0 }]\nlevels = [[0, 1],\n  [2, 1.5],\n  [1, 2]]\n"),
+        testing::ElementsAre(testing::StartsWith("case.toml:21:3: the time 1 s of the levels does not follow 2 s")));
+}
+
+TEST(BadInput, a_value_set_for_a_material_that_is_not_there_is_refused) {
+    // It made a new material that nothing is of, and the run went on as before.
+    const std::vector<std::string> misspelt{"material.rok.density=2600"}, right{"material.rock.density=2600"};
+    EXPECT_THAT(problems_of(minimal_case, misspelt),
+                ElementsAre(AllOf(HasSubstr("there is no material 'rok'"), HasSubstr("did you mean 'rock'?"))));
+    EXPECT_THAT(problems_of(minimal_case, right), IsEmpty());
+}
+
 }  // namespace
 }  // namespace riprap::scene

@@ -45,7 +45,10 @@ std::string did_you_mean(const std::string& text) {
             names.push_back(known.name);
         }
     }
-    const std::string meant = scene::nearest(text, names);
+    std::string meant = scene::nearest(text, names);
+    if (meant.empty()) {  // "cases/hello_blok"
+        meant = scene::nearest(fs::path(text).filename().string(), names);
+    }
     return meant.empty() ? "" : "; did you mean '" + meant + "'?";
 }
 

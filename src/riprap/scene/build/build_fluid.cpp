@@ -252,7 +252,10 @@ bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene
         for (const Value& row : levels->items) {
             scene.levels.push_back({row.items[0].as_number(), row.items[1].as_number()});
             if (scene.levels.size() > 1 && !(scene.levels[scene.levels.size() - 2].time < scene.levels.back().time)) {
-                build.problem(row.place, "the times of the levels do not rise", "each time later than the one before");
+                build.problem(row.place,
+                              fmt::format("the time {} s of the levels does not follow {} s", scene.levels.back().time,
+                                          scene.levels[scene.levels.size() - 2].time),
+                              "each time later than the one before");
                 return false;
             }
         }

@@ -203,6 +203,7 @@ class Checker {
                     }
                     out.items.push_back(std::move(*value));
                 }
+                out.place = given.place;  // of entries of a list, too
                 return out;
             }
             default:

@@ -241,6 +241,7 @@ std::optional<Value> ValueChecker::vector(const Value& given, const Form& form, 
     if (form.is_nonzero && is_zero) {
         return refuse(given, fmt::format("{} is zero", name), "a direction of any length but zero");
     }
+    out.place = given.place;
     return out;
 }
 

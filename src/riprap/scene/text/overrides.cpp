@@ -99,6 +99,16 @@ std::string what_entries(const Value& list, const std::string& step) {
                        names.empty() ? "" : ", or name: ", fmt::join(names, ", "), is_long ? " and more" : "");
 }
 
+/// Returns the keys of `table` that a step which is none of them could have meant.
+std::string what_keys(const Value& table, const std::string& step) {
+    std::vector<std::string> names;
+    for (const Entry& entry : table.entries) {
+        names.push_back(entry.key);
+    }
+    const std::string meant = nearest(step, names);
+    return meant.empty() ? fmt::format("one of: {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", meant);
+}
+
 /// A key given with a unit suffix ("spacing_mm") replaces the same key with another suffix or none.
 void set_key(Value& table, const std::string& key, Value value, const SourcePlace& place) {
     const auto base_of = [](std::string_view k) {
@@ -155,6 +165,11 @@ void apply_override(Value& root, const std::string& assignment, std::vector<Diag
             return;
         }
         Value* next = at->find(steps[i]);
+        if (next == nullptr && i == 1 && steps[0] == "material") {
+            // A new one would be a material that nothing is made of: the values meant for another go unread.
+            problems.push_back({place, fmt::format("there is no material '{}'", steps[i]), what_keys(*at, steps[i])});
+            return;
+        }
         if (next == nullptr) {
             Value table = Value::table();
             table.place = place;
