@@ -167,6 +167,7 @@ std::string answer(const std::string& word) {
     const std::map<std::string, std::string> more{{"at", "at = 0.013\n"},
                                                   {"when", "when = \"block.velocity.z\"\nreaches = 0.02\n"},
                                                   {"rms", "curve = { points = [[0.005, 0.1], [0.013, 0.5]] }\n"},
+                                                  {"mean_error", "curve = { points = [[0.005, 0.1], [0.013, 0.5]] }\n"},
                                                   {"worst", "curve = { points = [[0.005, 0.1], [0.013, 0.5]] }\n"}};
     std::string text = falling("{ cube = 0.1 }\nvelocity = [0.1, 0, 0.1]\nposition = [-1, 0, -2e-4]");
     for (const std::string axis : {"x", "z"}) {

@@ -79,7 +79,7 @@ TEST(ExpectProfiles, ProfilesAreHeldBesideTheirPointsAtOneTime) {
 
 TEST(ExpectProfiles, GaugesOfAProfileAreTakenTogether) {
     EXPECT_NEAR(result_of("quantity = 'p[mean]'\nreported = true\n").value, 7003.6, 1);
-    EXPECT_NEAR(result_of("quantity = 'p[max]'\nreduce = 'mean'\nreported = true\n").value, 9003.6, 1);
+    EXPECT_NEAR(result_of("quantity = 'p[max]'\nreduce = 'mean'\nfrom = 0.05\nreported = true\n").value, 9003.6, 1);
 }
 
 // Numbers of twelve gauges have two digits.
@@ -104,9 +104,9 @@ TEST(ExpectProfiles, WhatDoesNotGoTogetherIsToldWithItsPlace) {
     };
     EXPECT_THAT(problem_of(along("p", "0.1", "")), HasSubstr("case.toml:17:1: 'at' goes with"));
     EXPECT_THAT(problem_of(along("p", "0.5", "at = 0.1\n")),
-                HasSubstr("case.toml:22:12: a point of the curve at 0.5 m of the profile 'p'; 0 to 0.4 m"));
+                HasSubstr("case.toml:20:12: a point of the curve at 0.5 m of the profile 'p'; 0 to 0.4 m"));
     EXPECT_THAT(problem_of(along("p", "-0.1", "at = 0.1\n")), HasSubstr("a point of the curve at -0.1 m"));
-    EXPECT_THAT(problem_of(along("p.x", "0.1", "at = 0.1\n")), HasSubstr("case.toml:22:12: there is no profile 'p.x'"));
+    EXPECT_THAT(problem_of(along("p.x", "0.1", "at = 0.1\n")), HasSubstr("case.toml:20:12: there is no profile 'p.x'"));
     EXPECT_THAT(problem_of(along("time", "0.1", "at = 0.1\n")), HasSubstr("there is no profile 'time'"));
     EXPECT_THAT(problem_of(along("p", "0.1", "at = 0.1\nfrom = 0.05\n")), HasSubstr("say nothing beside 'at'"));
 }

@@ -222,7 +222,7 @@ TEST(ExpectWords, GroupsOfWhatIsNotThereAreToldWithTheirPlace) {
     for (const std::string quantity : {"heap[mean].position.x", "row[median].position.x", "row[mean].colour",
                                        "row,heap[mean].position.x", "row[mean]", "row[sum", "row]sum[.position.x"}) {
         EXPECT_THAT(problem_of(row + expect("a", "quantity = '" + quantity + "'\n" + band)),
-                    HasSubstr("case.toml:26:12: there is no quantity '" + quantity + "'"));
+                    HasSubstr("case.toml:27:12: there is no quantity '" + quantity + "'"));
     }
     EXPECT_THAT(problem_of(row + expect("a", "quantity = 'row[mean].stress_xx'\n" + band)),
                 HasSubstr("the methods of this case do not have"));

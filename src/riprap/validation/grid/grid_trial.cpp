@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/fluid/grid/transport.hpp"
-
 namespace riprap::validation::grid {
 
 void GridTrial::run(double end, const std::function<void(GridTrial&)>& each) {
@@ -48,19 +46,6 @@ void GridTrial::run(double end, const std::function<void(GridTrial&)>& each) {
 
 double GridTrial::at_time(const std::string& name, double t) const { return between_rows(time_, columns_.at(name), t); }
 
-double GridTrial::flow_at(double place) const {
-    if (!(state_.last_step > 0)) {
-        return 0;
-    }
-    const Mesh& mesh = settings_.mesh;
-    const int i = mesh.cell_at(0, place);
-    double volume = 0;
-    for (int j = 0; j < mesh.box.cells[1]; ++j) {
-        volume += water_through(settings_, scratch_, mesh.box.index(i, j, 0), state_.last_step);
-    }
-    return volume / state_.last_step / mesh.h(2, 0);
-}
-
 void GridTrial::report_books(CaseReport& report) const {
     if (settings_.has_surface) {
         report.judge_below({"water, largest error of its volume by the books", "-", {}, 0.0, {}, Kind::bookkeeping},
@@ -94,18 +79,6 @@ double between_rows(const std::vector<double>& x, const std::vector<double>& y, 
     }
     const std::size_t i = at(above);
     return y[i - 1] + (y[i] - y[i - 1]) * (place - x[i - 1]) / (x[i] - x[i - 1]);
-}
-
-double mean_over(const std::vector<double>& time, const std::vector<double>& value, double from, double to) {
-    double sum = 0, span = 0;
-    for (std::size_t i = 1; i < time.size(); ++i) {
-        const double low = std::max(from, time[i - 1]), high = std::min(to, time[i]);
-        if (high > low) {
-            sum += (high - low) * between_rows(time, value, 0.5 * (low + high));
-            span += high - low;
-        }
-    }
-    return sum / span;
 }
 
 }  // namespace riprap::validation::grid

@@ -37,8 +37,6 @@ class GridTrial {
     const std::vector<double>& time() const { return time_; }
     const std::vector<double>& column(const std::string& name) const { return columns_.at(name); }
     double at_time(const std::string& name, double t) const;
-    /// Water that crossed the plane x = `place` in the last step, per time and width [m^2/s]; 0 before the first step.
-    double flow_at(double place) const;
     double mean_iterations() const {
         return steps_ > 0 ? static_cast<double>(iterations_) / static_cast<double>(steps_) : 0;
     }
@@ -63,8 +61,5 @@ GridSettings make_tank(const Vec3& low, const Vec3& high, const std::array<int, 
 
 /// y at x between rows, linear; x increasing. The end values outside.
 double between_rows(const std::vector<double>& x, const std::vector<double>& y, double at);
-
-/// Mean of a record over a time, trapezoidal.
-double mean_over(const std::vector<double>& time, const std::vector<double>& value, double from, double to);
 
 }  // namespace riprap::validation::grid

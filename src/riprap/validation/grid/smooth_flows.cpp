@@ -12,19 +12,19 @@ namespace riprap::validation::grid {
 
 namespace {
 
-/// u on the vertical middle line of the cavity at Re = 100, 400 and 1000 [Ghia1982, table I].
+/// u on the vertical middle line of the cavity at Re = 400 and 1000 [Ghia1982, table I].
 struct CavityRow {
     double y;
-    std::array<double, 3> u;
+    std::array<double, 2> u;
 };
-constexpr std::array<CavityRow, 8> cavity_rows{{{0.0625, {-0.04192, -0.09266, -0.20196}},
-                                                {0.1719, {-0.10150, -0.24299, -0.38289}},
-                                                {0.2813, {-0.15662, -0.32726, -0.27805}},
-                                                {0.4531, {-0.21090, -0.17119, -0.10648}},
-                                                {0.6172, {-0.13641, 0.02135, 0.05702}},
-                                                {0.7344, {0.00332, 0.16256, 0.18719}},
-                                                {0.8516, {0.23151, 0.29093, 0.33304}},
-                                                {0.9609, {0.73722, 0.61756, 0.51117}}}};
+constexpr std::array<CavityRow, 8> cavity_rows{{{0.0625, {-0.09266, -0.20196}},
+                                                {0.1719, {-0.24299, -0.38289}},
+                                                {0.2813, {-0.32726, -0.27805}},
+                                                {0.4531, {-0.17119, -0.10648}},
+                                                {0.6172, {0.02135, 0.05702}},
+                                                {0.7344, {0.16256, 0.18719}},
+                                                {0.8516, {0.29093, 0.33304}},
+                                                {0.9609, {0.61756, 0.51117}}}};
 
 /// Edges whose cells are 1 - share to 1 + share times as wide as their mean.
 std::vector<double> graded_edges(double low, double high, int cells, double share) {
@@ -113,20 +113,20 @@ void between_plates(CaseReport& report, bool is_driven, double (*exact)(double, 
 }  // namespace
 
 void cavity(const CaseSetting& setting, CaseReport& report) {
-    const std::array<double, 3> reynolds{100, 400, 1000};
+    const std::array<double, 2> reynolds{400, 1000};
     Plot plot{"Lid-driven cavity", "lines: Riprap; marks: Ghia and others", {"u/U", false}, {"y/L", false}, {}, false};
     for (std::size_t r = 0; r < reynolds.size(); ++r) {
-        // narrow cells beside the walls where the layers there are thin
-        const int n = setting.is_full ? 128 : r == 2 ? 80 : 64;
+        // narrow cells beside the walls, where layers are thin
+        const int n = setting.is_full ? 128 : r == 1 ? 80 : 64;
         GridSettings settings = one_fluid({1, 1, 1}, {n, n, 1}, 1 / reynolds[r]);
-        const std::vector<double> edges = graded_edges(0, 1, n, r == 0 ? 0 : 0.5);
+        const std::vector<double> edges = graded_edges(0, 1, n, 0.5);
         settings.mesh = Mesh({edges, edges, {0, 1}}, 2);
         for (int side = 0; side < 4; ++side) {
             settings.side[at(side)].kind = SideKind::no_slip;
         }
         settings.side[3].velocity = {1, 0, 0};
         GridTrial trial(settings, at_rest(settings));
-        trial.run(setting.is_full ? 60 : r == 0 ? 15 : r == 1 ? 40 : 50);
+        trial.run(setting.is_full ? 60 : r == 0 ? 40 : 50);
         double worst = 0;
         Curve theirs{"", {}, {}, CurveStyle::markers, static_cast<int>(r)};
         for (const CavityRow& row : cavity_rows) {
