@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/gauge/gauge_kinds.hpp"
 #include "riprap/sim/quantity.hpp"
 #include "sim/basin.hpp"
 
