@@ -70,7 +70,13 @@ class BoundFluid final : public Fluid {
     Outcome kick(const TimeSpan& span, coupling::FluidStep& report) override { return method_.kick(span, report); }
     Outcome end(const TimeSpan& span, coupling::FluidStep& report) override { return method_.end(span, report); }
     std::span<const double> feedback() const override { return method_.feedback(); }
-    bool corrects() const override { return has_correction; }
+    bool corrects() const override {
+        if constexpr (has_correction) {
+            return method_.corrects();
+        } else {
+            return false;
+        }
+    }
     bool correct(const body::BodySet& bodies, const body::BodyKinematics& kinematics,
                  std::span<const std::uint8_t> is_sought, std::span<const body::Acceleration> residual,
                  std::vector<body::Acceleration>& guess) override {

@@ -42,13 +42,15 @@ concept SolidMethod = std::default_initializable<typename M::Settings> &&
     { M::contacts(scene, settings, fields, scratch) } -> std::same_as<std::vector<contact::ShownContact>>;
 };
 
-/// A way in which a fluid moves, with the coupling that it needs. Two more functions are optional:
-/// `start()`, called once on a fresh State, and
+/// A way in which a fluid moves, with the coupling that it needs. More functions are optional: `start()`, called once
+/// on a fresh State, and
 ///
+///     bool corrects() const;
 ///     bool correct(bodies, kinematics, is_sought, residual, guess);
 ///
-/// which improves the accelerations of bodies with which the last load was computed, from their `residual`: the
-/// accelerations by that load less these; false where the method has no improvement.
+/// of which the second improves the accelerations of bodies with which the last load was computed, from their
+/// `residual`: the accelerations by that load less these; false where it has no improvement. The first tells whether
+/// the water of the case has it: then it cannot give way, and its loads follow the way of bodies within a step.
 template <class M>
 concept FluidMethod = requires(M fluid, const M looked_at, const TimeSpan& span, const body::Motion& motion,
                                coupling::FluidStep& report, coupling::FluidLoads& loads, std::vector<Vec3>& corrections,

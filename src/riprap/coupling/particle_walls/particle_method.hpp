@@ -40,6 +40,9 @@ class ParticleMethod {
                  std::vector<body::Acceleration>& guess) const {
         return coupling::correct(*water_, bodies, kinematics, is_sought, residual, *scratch_, guess);
     }
+    /// Has the scheme such a step? Then its water cannot give way, so that its loads follow the way of bodies within a
+    /// step.
+    bool corrects() const { return scratch_->scheme->for_bodies() != nullptr; }
     /// Returns the longest step that sound, acceleration and viscosity allow.
     StepLimit limit() const;
     /// Sorts the particles by place on steps given by the step number alone.
