@@ -8,18 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "riprap/run/running_figures.hpp"
 #include "riprap/sim/column_group.hpp"
 
 namespace riprap::run {
-
-/// Running figures of one quantity. State of a run: kept in its checkpoints.
-struct RunningFigures {
-    double last, minimum, maximum;
-    double integral;  ///< over time, by the trapezoidal rule [its unit times s]: steps may differ in length
-    double count, first_time, previous_time, previous, previous_trigger, at;
-    double minimum_time, maximum_time, at_time;       ///< when these were first there [s]
-    double crossings, first_crossing, last_crossing;  ///< of a level; times of the first direction [-], [s], [s]
-};
 
 /// Judgement of one [[expect]].
 enum class Verdict {
