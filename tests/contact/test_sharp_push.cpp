@@ -115,6 +115,21 @@ TEST_F(SharpPushes, DoNotScaleWithTheSizeOfTheBlocks) {
     }
 }
 
+// A floor many times as large and as stiff has little part in how a corner gives way: it never makes it softer.
+TEST_F(SharpPushes, OfACornerGrowWithTheStiffnessOfALargeFloor) {
+    const Vec3 axis = Vec3{-1, 1, 0} / std::sqrt(2.0);
+    const Block cube = add(geometry::cube(1.0), {{0, 0, 0.5 * (std::sqrt(3.0) - 0.08)},
+                                                 from_rotation_vector(std::acos(-1 / std::sqrt(3.0)) * axis)});
+    double before = 0;
+    for (const double stiffness : {1.0, 10.0, 100.0, 1000.0}) {
+        const Block floor = add(geometry::box({400, 400, 200}), {{0, 0, -100}, {}}, stiffness);
+        const double force = meet(cube, floor).force.z;
+        EXPECT_GT(force, 1.2 * before) << stiffness;
+        EXPECT_GT(force, 2 * meet(cube, floor, Corners::field).force.z) << stiffness;
+        before = force;
+    }
+}
+
 TEST_F(SharpPushes, LeaveFlatFacesAndRoundBodiesAsTheyAre) {
     const Block floor = add(geometry::box({1.3, 1.1, 0.6}), {{0, 0, -0.3}, {}});
     const Block cube = add(geometry::cube(0.4), {{0.5, 0, 0.199}, {}});

@@ -77,6 +77,21 @@ TEST(ExpectProfiles, ProfilesAreHeldBesideTheirPointsAtOneTime) {
     }
 }
 
+TEST(ExpectProfiles, ACaseWithAProfileCanBeCutShort) {
+    const std::string text = tank + expect(
+                                        "quantity = 'p'\nreduce = 'worst'\nat = 0.05\n"
+                                        "curve = { points = [[0.0, 9003.6]], along = 'place' }\n" +
+                                        std::string(band));
+    EXPECT_NO_THROW(scene::read_case_text(text, "case.toml", ".", std::vector<std::string>{"end=0.06"}));
+}
+
+TEST(ExpectProfiles, AProfileIsNotTakenRelativeToAnotherQuantity) {
+    EXPECT_THAT(problem_of("quantity = 'p'\nreduce = 'worst'\nat = 0.05\nrelative_to = 'fluid.kinetic'\n"
+                           "curve = { points = [[0.0, 9003.6]], along = 'place' }\n" +
+                           std::string(band)),
+                HasSubstr("leave it out"));
+}
+
 TEST(ExpectProfiles, GaugesOfAProfileAreTakenTogether) {
     EXPECT_NEAR(result_of("quantity = 'p[mean]'\nreported = true\n").value, 7003.6, 1);
     EXPECT_NEAR(result_of("quantity = 'p[max]'\nreduce = 'mean'\nfrom = 0.05\nreported = true\n").value, 9003.6, 1);

@@ -219,8 +219,9 @@ TEST(ExpectWords, BodiesOfEntriesAreTakenTogether) {
 
 TEST(ExpectWords, GroupsOfWhatIsNotThereAreToldWithTheirPlace) {
     const std::string band = "low = 0.0\nhigh = 9.0\n";
-    for (const std::string quantity : {"heap[mean].position.x", "row[median].position.x", "row[mean].colour",
-                                       "row,heap[mean].position.x", "row[mean]", "row[sum", "row]sum[.position.x"}) {
+    for (const std::string quantity :
+         {"heap[mean].position.x", "row[median].position.x", "row[mean].colour", "row,heap[mean].position.x",
+          "row,row[sum].position.x", "row[mean]", "row[sum", "row]sum[.position.x"}) {
         EXPECT_THAT(problem_of(row + expect("a", "quantity = '" + quantity + "'\n" + band)),
                     HasSubstr("case.toml:27:12: there is no quantity '" + quantity + "'"));
     }

@@ -35,7 +35,10 @@ bool find_with_foot(const CornerFoot& foot, const PressedShape& a, const Pressed
         return false;
     }
     if (is_stiff) {
-        SharpPush(a.stiffness + b.stiffness, stiffness_per_area(a, b),
+        // Of a half-space, which has no size of its own, and of a much larger body the modulus counts, not the size.
+        const double modulus = a.stiffness + b.stiffness;
+        const double radius = std::min(a.placed.shape.inscribed_radius, b.placed.shape.inscribed_radius);
+        SharpPush(modulus, std::max(stiffness_per_area(a, b), modulus / (2 * radius)),
                   is_planar(a.placed.shape) || is_planar(b.placed.shape))
             .stiffen(normal);
     }

@@ -120,7 +120,7 @@ class FaceSections {
     Vec3 place(const PlanePoint& p, double depth) const { return origin_ + p.u * e1_ + p.v * e2_ - depth * normal_; }
     PlanePoint project(const Vec3& x) const { return {dot(x - origin_, e1_), dot(x - origin_, e2_)}; }
     double reach() const { return reach_; }
-    const Vec3& normal() const { return normal_; }
+    double depth_of(const Vec3& x) const { return dot(origin_ - x, normal_); }
 
  private:
     struct Line {
@@ -229,7 +229,19 @@ class Layer {
                 give(LayerSites::index(owners[i]), sections_[f], cells[i], top, bottom);
             }
         }
-        move_to_middles();
+    }
+    /// Moves every point to the middle of what it stands for.
+    void move_to_middles() {
+        moments_.resize(sites_.points.size());
+        for (std::size_t i = 0; i < sites_.points.size(); ++i) {
+            LayerPoint& point = sites_.points[i];
+            Vec3 way = point.volume > 0 ? moments_[i] / point.volume : Vec3{};
+            way.z = settings_.is_slab ? 0 : way.z;
+            if (norm(way) > count_shift * settings_.spacing) {  // a lattice stays what it is
+                point.position += way;
+                point.depth = depth_of(point.position);
+            }
+        }
     }
     const std::vector<LayerPoint>& points() const { return sites_.points; }
 
@@ -249,18 +261,13 @@ class Layer {
             }
         }
     }
-    /// Moves every point to the middle of what it stands for.
-    void move_to_middles() {
-        moments_.resize(sites_.points.size());
-        for (std::size_t i = 0; i < sites_.points.size(); ++i) {
-            LayerPoint& point = sites_.points[i];
-            Vec3 way = point.volume > 0 ? moments_[i] / point.volume : Vec3{};
-            way.z = settings_.is_slab ? 0 : way.z;
-            if (norm(way) > count_shift * settings_.spacing) {  // a lattice stays what it is
-                point.position += way;
-                point.depth -= dot(way, sections_[section_[i]].normal());
-            }
+    /// Depth below the nearest face [m].
+    double depth_of(const Vec3& x) const {
+        double depth = sections_.front().depth_of(x);
+        for (const FaceSections& face : sections_) {
+            depth = std::min(depth, face.depth_of(x));
         }
+        return depth;
     }
     /// A face that ends above the points of this layer.
     void give_to_nearest(std::size_t f, double top, double bottom) {
@@ -282,7 +289,6 @@ class Layer {
         std::int32_t site = sites_.find(x, keep_away * settings_.spacing);
         if (site < 0) {
             site = sites_.add({x, depth_, 0, faces_[f]});
-            section_.push_back(f);
         }
         owners_[f].push_back(site);
     }
@@ -321,8 +327,7 @@ class Layer {
     LayerSites sites_;
     std::vector<PlanePolygon> polygons_;
     std::vector<std::vector<std::int32_t>> owners_;
-    std::vector<std::size_t> section_;  ///< that each point lies under; the first of several
-    std::vector<Vec3> moments_;         ///< of what points stand for, about them [m^4]
+    std::vector<Vec3> moments_;  ///< of what points stand for, about them [m^4]
 };
 
 }  // namespace
@@ -350,6 +355,9 @@ std::vector<LayerPoint> layers_under_faces(std::span<const LayerFace> faces, dou
         const double depth = std::min(top + 0.5 * thickness, shy * inscribed_radius);
         Layer layer(sections, face_of, depth, settings);
         layer.share_volume(top, std::min(top + thickness, inscribed_radius));
+        if (!is_thin || across > 1) {  // a plate of one layer keeps its ends, with which it stands on other bodies
+            layer.move_to_middles();
+        }
         points.insert(points.end(), layer.points().begin(), layer.points().end());
     }
     return points;

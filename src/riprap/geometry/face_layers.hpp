@@ -37,7 +37,8 @@ struct LayerSettings {
 /// piece is nearest to it within the face: areas of Voronoi cells at three depths, integrated by Simpson's rule, exact
 /// for the quadratic growth of a convex section. So the volumes of all layers add up to that of the part, and the wall
 /// lies exactly at the face. Each point is then moved to the middle of what it stands for, by the first moments of the
-/// same cells: under a round face that is less deep than the middle of the layer.
+/// same cells: under a round face that is less deep than the middle of the layer. A plate of one layer keeps its
+/// points: moved from its ends, they would leave a gap above the ground that it stands on.
 ///
 /// t = dp, but a part with inscribed radius R that the layers reach through is divided evenly: t = 2 R/N with
 /// N = max(1, round(2 R/dp)); layers of opposite faces then meet in the middle.

@@ -79,7 +79,7 @@ Value with_ends(Value root, const std::optional<double>& written) {
         return root;
     }
     for (Value& expect : expects->items) {
-        if (get_text(expect, "reduce") != "at" && expect.find("to") == nullptr) {
+        if (expect.find("at") == nullptr && expect.find("to") == nullptr) {
             Value end = Value::of(*written);
             end.place = expect.place;
             expect.set("to", std::move(end), expect.place);

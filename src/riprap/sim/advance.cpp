@@ -128,19 +128,40 @@ void settle_light_bodies(const Model& model, const State& state, Fluid& fluid, c
     report.is_water_settled = report.is_water_settled && iteration.is_settled();
 }
 
+bool has_free_bodies(const body::BodyKinematics& kinematics) {
+    return std::any_of(kinematics.inverse_mass.begin(), kinematics.inverse_mass.end(), [](double w) { return w > 0; });
+}
+
+/// Moves the solids over a piece without a report; what is refused is cut finer, as in advance_piece.
+bool try_piece(Solid& solids, State& state, const TimeSpan& span, const body::LoadView& loads, int cuts) {
+    std::optional<Kept> kept;
+    if (solids.takes_back()) {
+        kept = keep(state);
+    }
+    solid::SolidReport unread;
+    const Outcome outcome = solids.advance(span, loads, Measure::flow, unread);
+    if (outcome.ok() || !kept || outcome.shorten <= 0 || cuts == most_cuts) {
+        return outcome.ok();
+    }
+    take_back(std::move(*kept), state);
+    const double half = 0.5 * span.dt;
+    return try_piece(solids, state, {span.time, half}, loads, cuts + 1) &&
+           try_piece(solids, state, {span.time + half, half}, loads, cuts + 1);
+}
+
 /// Moves the solids over the step on trial, with the loads found, and takes them back. Tells whether they went another
 /// way than the fluid was told; then the accelerations that it is told next lead there.
-bool foresee_contacts(const Model& model, State& state, Solid& solids, const Cycle& cycle, ScratchData& data) {
-    const body::BodyState before = state.bodies;
+bool foresee_contacts(const Model& model, State& state, Solid& solids, Fluid& fluid, const Cycle& cycle,
+                      ScratchData& data) {
     Kept kept = keep(state);
     bool is_ok = true;
     for (std::int64_t k = 0; k < cycle.pieces && is_ok; ++k) {
-        solid::SolidReport piece;
-        is_ok = solids.advance(cycle.piece(k), data.span_loads, Measure::flow, piece).ok();
+        is_ok = try_piece(solids, state, cycle.piece(k), data.span_loads, 0);
     }
     const body::BodyState after = std::move(state.bodies);
     take_back(std::move(kept), state);
-    return is_ok && go_another_way(model, before, after, cycle.dt, data.prediction, state.coupling);
+    return is_ok && go_another_way(model, state.bodies, after, cycle.dt, data.span_loads, fluid.feedback(),
+                                   data.prediction, state.coupling);
 }
 
 /// Most trials of the solids in a step.
@@ -158,10 +179,13 @@ Outcome flow(const Model& model, State& state, Fluid& fluid, Solid& solids, cons
         return outcome;
     }
     settle_light_bodies(model, state, fluid, span, data, report);
-    if (fluid.corrects() && cycle.spans == 1) {  // water that cannot give way: its loads follow the way of bodies
-        for (int k = 0; k < most_trials && foresee_contacts(model, state, solids, cycle, data); ++k) {
+    if (fluid.corrects() && cycle.spans == 1 &&
+        has_free_bodies(prediction.kinematics)) {  // water that cannot give way: its loads follow the way of bodies
+        int trial = 0;
+        for (; trial < most_trials && foresee_contacts(model, state, solids, fluid, cycle, data); ++trial) {
             settle_light_bodies(model, state, fluid, span, data, report);
         }
+        report.is_water_settled = report.is_water_settled && trial < most_trials;
     }
     outcome = fluid.kick(span, brought.step);
     brought.work_on_free = work_on_free(prediction, data.span_loads, span.dt);

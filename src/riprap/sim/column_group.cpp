@@ -40,6 +40,12 @@ bool add_bodies(const Model& model, std::string_view name, std::string_view rest
     }
     const body::BodySet& bodies = model.bodies;
     const std::int32_t entry = bodies.name_id[static_cast<std::size_t>(first->body.value)];
+    const bool is_there_already = std::any_of(columns.begin(), columns.end(), [&](const Column& column) {
+        return bodies.name_id[static_cast<std::size_t>(column.body.value)] == entry;
+    });
+    if (is_there_already) {
+        return false;  // a body that is named twice would count twice
+    }
     for (std::int32_t b = 0; b < bodies.size(); ++b) {
         if (bodies.name_id[static_cast<std::size_t>(b)] == entry) {
             columns.push_back(*first);

@@ -7,6 +7,7 @@
 #include "riprap/body/point_loads.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
+#include "riprap/coupling/added_mass.hpp"
 
 namespace riprap::sim {
 
@@ -139,7 +140,9 @@ void note_missed_way(const body::BodyState& before, const Prediction& prediction
 }
 
 bool go_another_way(const Model& model, const body::BodyState& before, const body::BodyState& after, double dt,
-                    Prediction& prediction, coupling::CouplingState& coupling) {
+                    const body::Loads& loads, std::span<const double> feedback, Prediction& prediction,
+                    coupling::CouplingState& coupling) {
+    const std::vector<double> inertia = mean_inertia(model.bodies);
     const double per_way = 2 / (dt * dt), gravity = norm(model.gravity.value);
     bool is_other = false;
     for (std::size_t b = 0; b < prediction.guess.size(); ++b) {
@@ -152,13 +155,16 @@ bool go_another_way(const Model& model, const body::BodyState& before, const bod
         const Vec3 turn = turn_between(before, after, b) - dt * (seen.angular_velocity[b] - caught.angular);
         const Vec3 more = per_way * way, faster = per_way * turn;
         body::Acceleration& guess = prediction.guess[b];
-        const double arm = std::sqrt((model.bodies.principal_moments[b].x + model.bodies.principal_moments[b].y +
-                                      model.bodies.principal_moments[b].z) /
-                                     model.bodies.mass[b]);
-        const double size = norm(more) + arm * norm(faster);
+        const double arm = std::sqrt(inertia[b] / model.bodies.mass[b]);
+        const body::Acceleration foreseen = response(model.bodies, coupling, prediction.kinematics, loads, b);
+        const Vec3 pushed = more - (foreseen.linear - guess.linear),
+                   turned = faster - (foreseen.angular - guess.angular);
+        // The accelerations of bodies that are sought with their loads are not exact yet: what contacts add counts.
+        const bool is_sought = b < feedback.size() && feedback[b] > coupling::AddedMassIteration::iterates_above;
+        const double size = is_sought ? norm(pushed) + arm * norm(turned) : norm(more) + arm * norm(faster);
         is_other = is_other || size > other_way * (norm(guess.linear) + arm * norm(guess.angular) + gravity);
-        coupling.dry_acceleration[b] += more;
-        coupling.dry_angular_acceleration[b] += faster;
+        coupling.dry_acceleration[b] += pushed;
+        coupling.dry_angular_acceleration[b] += turned;
         guess = {guess.linear + more, guess.angular + faster};
     }
     return is_other;

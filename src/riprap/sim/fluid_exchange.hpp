@@ -33,10 +33,12 @@ void note_gain(const Model& model, const State& state, const body::Loads& loads,
 void begin_ways(const Model& model, const State& state, double dt, Prediction& prediction);
 /// Adds the way of a span of length dt as the fluid saw it, and notes what its density was not told of it.
 void note_way(double dt, Prediction& prediction, coupling::CouplingState& coupling);
-/// Tells whether bodies that went from `before` to `after` in a trial of the step went another way than the fluid was
-/// told, by a thousandth of their acceleration and gravity; adds what leads there to the accelerations that it is told.
+/// Leads the accelerations that the fluid is told next along the way on which bodies went from `before` to `after` in a
+/// trial of the step under `loads`. Tells whether contacts made that another way than it was told, by a thousandth of
+/// their acceleration and gravity. @param feedback  of Fluid: the bodies whose accelerations are iterated
 bool go_another_way(const Model& model, const body::BodyState& before, const body::BodyState& after, double dt,
-                    Prediction& prediction, coupling::CouplingState& coupling);
+                    const body::Loads& loads, std::span<const double> feedback, Prediction& prediction,
+                    coupling::CouplingState& coupling);
 /// Notes what the fluid did not see of the step that took free bodies from `before` to the State: an impact within the
 /// step, a contact that became stiffer. Walls of particles make up for it over the next step, so that the work of the
 /// water and that on the bodies differ by

@@ -42,7 +42,9 @@ class ParticleMethod {
     }
     /// Has the scheme such a step? Then its water cannot give way, so that its loads follow the way of bodies within a
     /// step.
-    bool corrects() const { return scratch_->scheme->for_bodies() != nullptr; }
+    bool corrects() const {
+        return scratch_->scheme->for_bodies() != nullptr && water_->wall == WallTreatment::boundary_particles;
+    }
     /// Returns the longest step that sound, acceleration and viscosity allow.
     StepLimit limit() const;
     /// Sorts the particles by place on steps given by the step number alone.

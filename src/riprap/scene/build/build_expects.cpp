@@ -126,7 +126,7 @@ void read_window(CaseBuild& build, const Value& table, sim::Expect& expect) {
         return;
     }
     if (table.find("at") != nullptr) {
-        build.problem(given->place, "'from' and 'to' say nothing beside 'at'", "with any other");
+        build.problem(given->place, "'from' and 'to' say nothing beside 'at'", "leave them out");
     }
     expect.from = get_number_or(table, "from", expect.from);
     expect.to = get_number_or(table, "to", expect.to);
@@ -261,6 +261,10 @@ void read_expect(CaseBuild& build, const Value& table) {
     }
     const Value* relative_to = table.find("relative_to");
     expect.relative_to = relative_to != nullptr ? relative_to->text : "";
+    if (relative_to != nullptr && is_along_profile(table)) {
+        build.problem(relative_to->place, "'relative_to' says nothing beside a curve along = \"place\"",
+                      "leave it out");
+    }
     const bool has_quantity = is_along_profile(table)
                                   ? check_profile(build, expect, get(table, "quantity").place)
                                   : check_column(build, expect.quantity, get(table, "quantity").place);
