@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -57,21 +56,14 @@ struct Side {
     Vec3 met, push;  ///< from the wall to the body: when they met, and now [-]
 };
 
-/// The sides of gaps that a pair is: of a body that is free, beside another one. A wall that is free too may give way,
-/// and then it is not deep: what is deep on both sides while it passes has gone through.
-/// @param met_by_a, met_by_b  normal from A to B when they met, as either of them has carried it since
-std::array<std::optional<Side>, 2> sides_of(const sim::Model& model, const DeepPairs::Meeting& now,
-                                            const Vec3& met_by_a, const Vec3& met_by_b) {
+/// The side of a gap that a pair is for its body, where the other one cannot yield.
+std::optional<Side> side_of(const sim::Model& model, const DeepPairs::Meeting& now, const Vec3& met) {
     const BodyId a = model.bodies.parts[at(now.parts.a)].body, b = model.bodies.parts[at(now.parts.b)].body;
     const auto is_free = [&model](BodyId body) { return model.bodies.drive[at(body.value)] == body::Drive::free; };
-    std::array<std::optional<Side>, 2> sides;
-    if (is_free(a)) {
-        sides[0] = Side{a, b, -met_by_b, -now.push};
+    if (is_free(a) == is_free(b)) {
+        return std::nullopt;
     }
-    if (is_free(b)) {
-        sides[1] = Side{b, a, met_by_a, now.push};
-    }
-    return sides;
+    return is_free(b) ? Side{b, a, met, now.push} : Side{a, b, -met, -now.push};
 }
 
 /// Tells whether two sides of a gap that held a body back when it came no longer do, or push it on: while deep in both
@@ -124,22 +116,20 @@ std::string DeepPairs::look(const sim::Model& model, const sim::State& state, st
                 model.bodies.name(part_a.body), model.bodies.name(part_b.body), gone, gone / radius, now.point.x,
                 now.point.y, now.point.z, state.time, solid::most_overlap);
         }
-        for (const auto& side :
-             sides_of(model, now, rotate(a.orientation, normal_a_.back()), rotate(b.orientation, normal_b_.back()))) {
-            if (!side) {
-                continue;
-            }
-            const auto other = std::ranges::find_if(sides, [&](const Side& one) { return has_passed(one, *side); });
-            if (problem.empty() && other != sides.end()) {
-                problem = fmt::format(
-                    "{} is squeezed through between {} and {}, {:.3g} m deep in them, {:.3g} of an inscribed radius, "
-                    "at ({:.6g}, {:.6g}, {:.6g}) m, t = {:.6g} s: their contact cannot carry what they bring; a body "
-                    "passes no gap narrower than itself",
-                    model.bodies.name(side->body), model.bodies.name(other->wall), model.bodies.name(side->wall),
-                    now.depth, now.share, now.point.x, now.point.y, now.point.z, state.time);
-            }
-            sides.push_back(*side);
+        const auto side = side_of(model, now, rotate(a.orientation, normal_a_.back()));
+        if (!side) {
+            continue;
         }
+        const auto other = std::ranges::find_if(sides, [&](const Side& one) { return has_passed(one, *side); });
+        if (problem.empty() && other != sides.end()) {
+            problem = fmt::format(
+                "{} is squeezed through between {} and {}, {:.3g} m deep in them, {:.3g} of an inscribed radius, at "
+                "({:.6g}, {:.6g}, {:.6g}) m, t = {:.6g} s: their contact cannot carry what they bring; a body passes "
+                "no gap narrower than itself",
+                model.bodies.name(side->body), model.bodies.name(other->wall), model.bodies.name(side->wall), now.depth,
+                now.share, now.point.x, now.point.y, now.point.z, state.time);
+        }
+        sides.push_back(*side);
     }
     return problem;
 }

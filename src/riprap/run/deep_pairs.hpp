@@ -28,8 +28,8 @@ inline constexpr double deep_overlap = 0.02;
 /// goes through a gap.
 ///
 /// A round body that is squeezed through a gap of nine tenths of its width never goes that far against its first
-/// pushes: they turn as it passes. So it has gone through as well where two sides, deep in it all the time, pushed it
-/// back when it came and push it on now. Sides that are free may give way instead; then they are not deep in it.
+/// pushes: they turn as it passes. So it has gone through as well where two sides that cannot yield, deep in it all the
+/// time, pushed it back when it came and push it on now.
 ///
 /// Part of a checkpoint: a run that goes on must end as the whole one does.
 class DeepPairs {

@@ -127,7 +127,8 @@ std::string PassageWatch::look(const sim::Model& model, const sim::State& state,
         return "";
     }
     approached_ = 0;
-    if (!sim::tells_depth(model)) {
+    // Spheres that stand for a body let its shape sink into others.
+    if (!sim::tells_depth(model) && !std::isfinite(sim::smallest_stand_in(model))) {
         const std::vector<DeepPairs::Meeting> meetings = deep_meetings(model, state);
         if (std::string problem = deep_.look(model, state, meetings); !problem.empty()) {
             return problem;
