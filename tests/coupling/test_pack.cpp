@@ -118,19 +118,6 @@ TEST(Pack, water_is_even_beside_faces_that_the_lattice_does_not_follow) {
     }
 }
 
-// Rows too full by a part of a column buckle late: sweeps that ended where they gained nothing left them as they were,
-// uneven by 0.3.
-TEST(Pack, columns_that_are_too_full_become_even) {
-    for (const double ratio : {1.25, 1.5, 1.75}) {
-        for (int off = 1; off < 10; ++off) {
-            Tank tank(2, ratio);
-            tank.add_walls(0, 1 - 0.1 * off * dp);
-            Filling filling = tank.filled();
-            EXPECT_LT(tank.packed(filling).unevenness, 1e-3) << ratio << ' ' << off;
-        }
-    }
-}
-
 TEST(Pack, water_is_even_about_bodies_in_space) {
     Tank with_ball(3);
     with_ball.add_walls();

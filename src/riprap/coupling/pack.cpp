@@ -21,10 +21,8 @@ namespace {
 constexpr double depth = 5;    ///< packed_depth() over dp
 constexpr int sweeps = 500;    ///< at most
 constexpr double even = 1e-4;  ///< |sum V grad W| dp at which places are even
-/// Places of a pocket too narrow for a particle never become even: sweeps end where this is left at most, and of those
-/// that are not even this share is still so after as many sweeps. Rows that are too full stand in a balance that they
-/// leave but slowly, and must not end them.
-constexpr double enough = 1e-3;
+/// Places of a pocket too narrow for a particle never become even: sweeps end where of those that are not, this share
+/// is still so after as many sweeps.
 constexpr double gain = 0.85;
 constexpr int patience = 20;
 constexpr double keeps = 0.85;    ///< share of its last move that a particle goes on with
@@ -126,7 +124,7 @@ void settle(const fluid::ParticleSettings& settings, Crowd& crowd, Packed& packe
             });
         packed.unevenness = uneven.most;
         const bool is_look = packed.sweeps % patience == patience - 1;
-        if (uneven.most < even || (is_look && uneven.most < enough && uneven.sum > gain * left)) {
+        if (uneven.most < even || (is_look && uneven.sum > gain * left)) {
             return;
         }
         left = is_look ? uneven.sum : left;
