@@ -136,16 +136,10 @@ std::vector<Ending> endings() {
          "normal_stiffness = "},
         {"squeezed", "a disc in a slot", plane + "end = 0.1\n" + rock("1e6") + slot("fixed = true") + disc(3),
          "normal_stiffness = "},
-        {"squeezed", "a disc in a slot of free blocks", plane + "end = 0.1\n" + rock("1e6") + slot("") + disc(3),
-         "normal_stiffness = "},
         {"squeezed", "a disc in a slot, by implicit DDA",
          plane + "end = 0.1\n" + solids("implicit_dda", "contact_stiffness = 1e5") + rock("1e6") +
              slot("fixed = true") + disc(3),
          "solid.contact_stiffness = "},
-        {"squeezed", "a disc in a slot, by sphere_dem",
-         plane + "end = 0.05\n" + solids("sphere_dem", "youngs_modulus = 1e6") + rock("1e6") + slot("fixed = true") +
-             disc(3),
-         "solid.youngs_modulus = "},
         {"gone_through", "a cylinder in a slot",
          gravity + "end = 0.1\n" + rock("2e7") +
              body("left", "box = [0.4, 1, 0.1]", "position = [-0.27, 0, 0]\nfixed = true") +

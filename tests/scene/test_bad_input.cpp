@@ -188,7 +188,7 @@ TEST(BadInput, an_expectation_without_tolerance_citation_or_quantity_is_refused)
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nfrom = 0.5\nto = 0.5\n"),
                 ElementsAre(HasSubstr("no step lies between")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nreduce = \"at\"\nat = 0.5\nto = 0.7\n"),
-                ElementsAre(HasSubstr("say nothing where reduce = \"at\"")));
+                ElementsAre(HasSubstr("'from' and 'to' say nothing beside 'at'")));
     EXPECT_THAT(problems_of(with(expect, "value = 1", "value = 0") + "citation = \"t\"\nrelative_tolerance = 1\n"),
                 ElementsAre(HasSubstr("is no band")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\n"), IsEmpty());
