@@ -188,15 +188,18 @@ std::string planar(const std::string& more) {
            "damping_ratio = 0.1\nnormal_stiffness = 2e7\n" +
            more;
 }
+/// As soft at corners as the potential is: what is squeezed goes on against its first push.
+const std::string by_field = "[solid]\ncorners = 'field'\n";
 std::string polygon(const std::string& name, const std::string& shape, const std::string& more) {
     return "[[body]]\nname = '" + name + "'\nmaterial = 'rock'\nshape = { " + shape + " }\n" + more + "\n";
 }
 
 TEST(BodiesThroughBodies, ABoxBetweenTwoWedgesInThePlaneEndsTheRunInTheGap) {
-    const End end = end_of("end = 0.03\n" +
-                           planar(polygon("l", "polygon = [[-0.05, 0.5], [-0.6, 0.5], [-0.05, -0.1]]", "fixed = true") +
-                                  polygon("r", "polygon = [[0.05, 0.5], [0.05, -0.1], [0.6, 0.5]]", "fixed = true") +
-                                  polygon("b", "box = [0.12, 0.12]", "position = [0, 0.7]\nvelocity = [0, -20]")));
+    const End end =
+        end_of("end = 0.03\n" +
+               planar(by_field + polygon("l", "polygon = [[-0.05, 0.5], [-0.6, 0.5], [-0.05, -0.1]]", "fixed = true") +
+                      polygon("r", "polygon = [[0.05, 0.5], [0.05, -0.1], [0.6, 0.5]]", "fixed = true") +
+                      polygon("b", "box = [0.12, 0.12]", "position = [0, 0.7]\nvelocity = [0, -20]")));
     EXPECT_THAT(end.reason, AllOf(HasSubstr("l and b"), HasSubstr("gone"), HasSubstr("against the push")));
     EXPECT_GT(end.state.bodies.position[2].y, 0.45);
 }
@@ -235,9 +238,10 @@ TEST(BodiesThroughBodies, ADiscThatIsSqueezedThroughASlotEndsTheRunInItsMouth) {
 
 TEST(BodiesThroughBodies, ARunThatStopsInTheGapAndGoesOnEndsAsTheWholeOne) {
     const std::string text =
-        "end = 0.03\n" + planar(polygon("l", "polygon = [[-0.05, 0.5], [-0.6, 0.5], [-0.05, -0.1]]", "fixed = true") +
-                                polygon("r", "polygon = [[0.05, 0.5], [0.05, -0.1], [0.6, 0.5]]", "fixed = true") +
-                                polygon("b", "box = [0.12, 0.12]", "position = [0, 0.7]\nvelocity = [0, -20]"));
+        "end = 0.03\n" +
+        planar(by_field + polygon("l", "polygon = [[-0.05, 0.5], [-0.6, 0.5], [-0.05, -0.1]]", "fixed = true") +
+               polygon("r", "polygon = [[0.05, 0.5], [0.05, -0.1], [0.6, 0.5]]", "fixed = true") +
+               polygon("b", "box = [0.12, 0.12]", "position = [0, 0.7]\nvelocity = [0, -20]"));
     Simulation whole(scene::read_case_text(text, "case.toml", "."));
     while (whole.state().bodies.position[2].y > 0.53) {  // its lower face is in the gap
         ASSERT_TRUE(whole.step(sim::Measure::flow).is_accepted());
