@@ -9,7 +9,7 @@
 
 namespace riprap::geometry {
 
-/// What is odd about a mesh as ground or walls.
+/// Lists what is odd about a mesh as ground or walls.
 struct MeshAudit {
     std::vector<Diagnostic> problems;   ///< of its polygons, and of its winding: the solid would lie on both sides
     std::vector<std::string> warnings;  ///< told with the name of the file

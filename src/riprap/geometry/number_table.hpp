@@ -24,7 +24,7 @@ struct TableColumn {
     std::vector<std::string_view> aliases;  ///< words of headings that mean it, in lower case
 };
 
-/// How numbers of a column are told.
+/// Says how numbers of a column are told.
 struct ShownUnit {
     double factor{1};  ///< SI per unit of the file
     std::string name;  ///< of the unit in SI

@@ -44,7 +44,7 @@ std::string carry_within_max_overlap(const Refused& refused) {
     return stiffness_advice(refused, share);
 }
 
-/// What a gap lets through is hardly deep in its sides: they have to hold it where it is as deep as what is looked at.
+/// Returns the stiffness that holds a body at the mouth of a gap: what it lets through is hardly deep in its sides.
 std::string hold_at_the_mouth(const Refused& refused) { return stiffness_advice(refused, deep_overlap); }
 
 /// Half of the step in which the two fastest bodies approach each other by solid::most_approach of the thinnest: their

@@ -23,7 +23,7 @@ struct RunningFigures {
     double crossings, first_crossing, last_crossing;  ///< of a level; times of the first direction [-], [s], [s]
 };
 
-/// What stands for a value that never came.
+/// Stands for a value that never came.
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// The figures of a quantity of which no value came yet.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the runs of a study are: grids of values and lists in files.
+// Finds the runs of a study: grids of values and lists in files.
 #include <fmt/format.h>
 
 #include <algorithm>

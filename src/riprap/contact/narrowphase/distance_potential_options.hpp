@@ -12,7 +12,7 @@ enum class Potential {
 /// Which of the two one-sided integrals act (the wave speed that [Zhao, eq. 43] calibrates fits one).
 enum class Sides { both, contactor };
 
-/// How corners and edges push (SharpPush).
+/// Says how corners and edges push (SharpPush).
 enum class Corners {
     stiff,  ///< as a punch: in proportion to the size of what overlaps
     field,  ///< by the field alone, as published: in proportion to its area

@@ -7,7 +7,7 @@
 
 namespace riprap::scene {
 
-/// What a file is, where it is none of those that Riprap reads, and what to give instead.
+/// Says what a file is, where it is none of those that Riprap reads, and what to give instead.
 struct OtherKind {
     std::string what;  ///< "is compressed (gzip)"
     std::string allowed;
