@@ -29,7 +29,7 @@ namespace riprap::scene {
 
 namespace {
 
-/// @param unseen  what comes after this and has not been looked at
+/// @param unseen  names what was not checked, as it needs what is wrong here
 void throw_if_any(std::vector<Diagnostic>& problems, std::string unseen) {
     if (problems.empty()) {
         return;

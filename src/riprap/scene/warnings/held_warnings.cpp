@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warns of walls that hold water at the start and will not: they move out of its domain, or let it through.
+// Warns of walls that hold water at the start and lose it later: they move out of its domain, or let it through.
 #include <fmt/format.h>
 
 #include <algorithm>
