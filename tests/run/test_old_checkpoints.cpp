@@ -20,7 +20,8 @@ struct OldRun {
     scene::LoadedCase loaded;
     sim::State initial;
 
-    explicit OldRun(const std::vector<std::string>& overrides) : loaded(falling_blocks(overrides)), initial(loaded.state) {
+    explicit OldRun(const std::vector<std::string>& overrides)
+        : loaded(falling_blocks(overrides)), initial(loaded.state) {
         sim::initialise(loaded.model, initial);
         io::make_folder(folder.checkpoint_latest().parent_path());
     }

@@ -28,9 +28,9 @@ constexpr std::array later_fields{
 }  // namespace
 
 const LaterField* later_field(std::uint32_t version, std::string_view name) {
-    const auto* found =
-        std::find_if(later_fields.begin(), later_fields.end(),
-                     [&](const LaterField& field) { return field.name == name && version < field.since; });
+    const auto* found = std::find_if(later_fields.begin(), later_fields.end(), [&](const LaterField& field) {
+        return field.name == name && version < field.since;
+    });
     return found == later_fields.end() ? nullptr : found;
 }
 

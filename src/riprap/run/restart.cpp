@@ -255,9 +255,8 @@ Restart load_checkpoint(const RunFolder& folder, const sim::Model& model, const 
         throw io::file_error("put aside", folder.checkpoint_latest(), is_gone.value());
     }
     const std::string upgrade = previous.restart->notice;
-    previous.restart->notice =
-        fmt::format("{}; continuing from the checkpoint before, at step {}{}{}", latest.reason,
-                    previous.restart->state.step, upgrade.empty() ? "" : "; ", upgrade);
+    previous.restart->notice = fmt::format("{}; continuing from the checkpoint before, at step {}{}{}", latest.reason,
+                                           previous.restart->state.step, upgrade.empty() ? "" : "; ", upgrade);
     return std::move(*previous.restart);
 }
 

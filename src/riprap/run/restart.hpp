@@ -64,7 +64,7 @@ struct RunRecord {
 struct Restart {
     sim::State state;
     RunRecord record;
-    std::string notice;  ///< why the latest checkpoint was not used, or that it is of an older version; else empty
+    std::string notice;       ///< why the latest checkpoint was not used, or that it is of an older version; else empty
     bool is_upgraded{false};  ///< an older version wrote it: nothing tells that it belongs to this very case
 };
 

@@ -35,8 +35,9 @@ RIPRAP_HD inline bool may_leave_walls(double bareness, double bareness_alone, do
 ///
 /// Water in air holds no tension, but continuity makes one of c_0^2 (rho - rho_0) where particles fly apart. A lack of
 /// 2 % of the density stops particles that part at v = 0.02 c_0; one of 7 % draws two of them into one place, where the
-/// kernel has no slope left to part them. And a wall does not pull: where a stream passes its edge, continuity takes the wall that is left behind
-/// for water that thins out. Tearing takes energy of compression away and gives none (docs/theory/sph.md, 4).
+/// kernel has no slope left to part them. And a wall does not pull: where a stream passes its edge, continuity takes
+/// the wall that is left behind for water that thins out. Tearing takes energy of compression away and gives none
+/// (docs/theory/sph.md, 4).
 ///
 /// @param bareness      b: 1 at the surface, 0 inside [-]
 /// @param leaves_wall   what may_leave_walls says
