@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "riprap/scene/build/variations.hpp"
+#include "riprap/scene/assemble/variations.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "riprap/coupling/particle_walls/wall_passages.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
+#include "riprap/coupling/wall_passages.hpp"
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"

@@ -17,7 +17,7 @@
 #include "riprap/run/run_case.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/simulation.hpp"
-#include "riprap/scene/build/variations.hpp"
+#include "riprap/scene/assemble/variations.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 #include "riprap/validation/compared_runs.hpp"
 #include "riprap/validation/cross/scene.hpp"

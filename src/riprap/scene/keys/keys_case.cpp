@@ -6,8 +6,8 @@
 
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/keys_vary.hpp"
-#include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/sim/method_traits.hpp"
 
 namespace riprap::scene {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/text/suggest.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 #include "riprap/scene/text/units.hpp"
