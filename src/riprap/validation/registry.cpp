@@ -61,7 +61,6 @@ std::span<const ValidationCase> water_cases() {
         ValidationCase{"water", "standing_wave", "Period of a standing wave", false, water::standing_wave},
         ValidationCase{"water", "floating_stability", "Which boxes float upright", true, water::floating_stability},
         ValidationCase{"water", "elliptic_drop", "A drop that stretches freely", false, water::elliptic_drop},
-        ValidationCase{"water", "wall_impact", "Pressure of a dam break on a wall", false, water::wall_impact},
         ValidationCase{"water", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", false,
                        water::dam_break_obstacle},
         ValidationCase{"water", "wave_run_up", "Regular waves run up a smooth slope (Hunt; Seelig)", true,
@@ -77,12 +76,8 @@ std::span<const ValidationCase> water_cases() {
                        false, water::dam_break_cubes},
         ValidationCase{"water", "taylor_green", "Vortices die by viscosity", false, water::taylor_green},
         ValidationCase{"water", "viscous_wave", "A standing wave dies by viscosity", false, water::viscous_wave},
-        ValidationCase{"water", "ritter", "Dam break on a dry bed", false, water::ritter},
         ValidationCase{"water", "stoker", "Dam break on a wet bed", false, water::stoker},
         ValidationCase{"water", "torricelli", "Flow through a sharp slot", false, water::torricelli},
-        ValidationCase{"water", "colliding_squares", "Two squares of water collide", false, water::colliding_squares},
-        ValidationCase{"water", "wedge_slamming", "A wedge goes through a surface", false, water::wedge_slamming},
-        ValidationCase{"water", "other_schemes", "The scheme of Mueller", false, water::other_schemes},
     };
     return cases;
 }

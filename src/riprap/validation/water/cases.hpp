@@ -11,7 +11,6 @@ namespace riprap::validation::water {
 void heave_decay(const CaseSetting& setting, CaseReport& report);
 void floating_stability(const CaseSetting& setting, CaseReport& report);
 void standing_wave(const CaseSetting& setting, CaseReport& report);
-void wall_impact(const CaseSetting& setting, CaseReport& report);
 void dam_break_obstacle(const CaseSetting& setting, CaseReport& report);
 void elliptic_drop(const CaseSetting& setting, CaseReport& report);
 void wave_run_up(const CaseSetting& setting, CaseReport& report);
@@ -23,11 +22,7 @@ void dam_break_cube(const CaseSetting& setting, CaseReport& report);
 void dam_break_cubes(const CaseSetting& setting, CaseReport& report);
 void taylor_green(const CaseSetting& setting, CaseReport& report);
 void viscous_wave(const CaseSetting& setting, CaseReport& report);
-void ritter(const CaseSetting& setting, CaseReport& report);
 void stoker(const CaseSetting& setting, CaseReport& report);
 void torricelli(const CaseSetting& setting, CaseReport& report);
-void colliding_squares(const CaseSetting& setting, CaseReport& report);
-void wedge_slamming(const CaseSetting& setting, CaseReport& report);
-void other_schemes(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::water
