@@ -8,21 +8,11 @@
 
 namespace riprap::validation::water {
 
-void still_tank(const CaseSetting& setting, CaseReport& report);
-void submerged_square(const CaseSetting& setting, CaseReport& report);
-void floating_box(const CaseSetting& setting, CaseReport& report);
 void heave_decay(const CaseSetting& setting, CaseReport& report);
 void floating_stability(const CaseSetting& setting, CaseReport& report);
 void standing_wave(const CaseSetting& setting, CaseReport& report);
-void dam_break_front(const CaseSetting& setting, CaseReport& report);
-void wall_impact(const CaseSetting& setting, CaseReport& report);
 void dam_break_obstacle(const CaseSetting& setting, CaseReport& report);
 void elliptic_drop(const CaseSetting& setting, CaseReport& report);
-void jet_on_plate(const CaseSetting& setting, CaseReport& report);
-void submerged_cube(const CaseSetting& setting, CaseReport& report);
-void poiseuille(const CaseSetting& setting, CaseReport& report);
-void couette(const CaseSetting& setting, CaseReport& report);
-void solitary_wave(const CaseSetting& setting, CaseReport& report);
 void wave_run_up(const CaseSetting& setting, CaseReport& report);
 void sloshing(const CaseSetting& setting, CaseReport& report);
 void sway(const CaseSetting& setting, CaseReport& report);
@@ -30,15 +20,9 @@ void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void sinking_block(const CaseSetting& setting, CaseReport& report);
 void dam_break_cube(const CaseSetting& setting, CaseReport& report);
 void dam_break_cubes(const CaseSetting& setting, CaseReport& report);
-void stacked_blocks(const CaseSetting& setting, CaseReport& report);
 void taylor_green(const CaseSetting& setting, CaseReport& report);
 void viscous_wave(const CaseSetting& setting, CaseReport& report);
-void spinning_disc(const CaseSetting& setting, CaseReport& report);
-void ritter(const CaseSetting& setting, CaseReport& report);
 void stoker(const CaseSetting& setting, CaseReport& report);
 void torricelli(const CaseSetting& setting, CaseReport& report);
-void colliding_squares(const CaseSetting& setting, CaseReport& report);
-void wedge_slamming(const CaseSetting& setting, CaseReport& report);
-void other_schemes(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::water

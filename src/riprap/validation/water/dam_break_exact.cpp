@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dam breaks of shallow water, on a dry bed [Ritter1892] and a wet one [Stoker1957].
+// A dam break of shallow water on a wet bed [Stoker1957].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,12 +38,6 @@ Profile profile_of(const WaterTrial& trial, double low, double high, double step
     return profile;
 }
 
-/// h = (2 c - x/t)^2/(9 g) between -c t and 2 c t [m].
-double ritter_height(double x, double t) {
-    const double c = std::sqrt(gravity * depth), s = x / t;
-    return s < -c ? depth : s > 2 * c ? 0 : (2 * c - s) * (2 * c - s) / (9 * gravity);
-}
-
 /// The plateau behind the bore on water of depth `tail`: u = 2 (c - sqrt(g h)) from the side of the reservoir, mass and
 /// momentum across the bore from the other.
 struct Bore {
@@ -68,36 +62,6 @@ std::vector<std::string> full_spacing(const CaseSetting& setting) {
 }
 
 }  // namespace
-
-void ritter(const CaseSetting& setting, CaseReport& report) {
-    WaterTrial trial(setting, full_spacing(setting));
-    trial.run();
-    const double t = trial.now(), c = std::sqrt(gravity * depth);
-    const Profile ours = profile_of(trial, -c * t, 1.5 * c * t, 0.1);
-    double error = 0, sum = 0;
-    std::vector<double> exact;
-    for (std::size_t i = 0; i < ours.x.size(); ++i) {
-        exact.push_back(ritter_height(ours.x[i], t));
-        error += std::abs(ours.height[i] - exact.back());
-        sum += exact.back();
-    }
-    report.judge_below({fmt::format("mean error of the depth over its mean, -c t < x < 1.5 c t, t sqrt(g/H) = {:.1f}",
-                                    t * std::sqrt(gravity / depth)),
-                        "-",
-                        {},
-                        0.0,
-                        "Ritter; the tip, where shallow water has no end, is left out"},
-                       error / sum, 0.02);
-    report.judge({"depth at the gate", "m", {}, 4 * depth / 9, "4 H/9"}, level_at(trial, 0), Relative{0.03});
-    judge_ledger(report, trial);
-    write_plot(
-        setting, "ritter",
-        {"Dam break on a dry bed",
-         "Ritter 1892: shallow water",
-         {"x from the gate [m]", false},
-         {"depth [m]", false},
-         {{"exact", ours.x, exact, CurveStyle::line, 0}, {"ours", ours.x, ours.height, CurveStyle::markers, 0}}});
-}
 
 void stoker(const CaseSetting& setting, CaseReport& report) {
     const Bore exact = stoker();

@@ -111,17 +111,4 @@ void sinking_block(const CaseSetting& setting, CaseReport& report) {
          {{"measured", time, measured, CurveStyle::markers, -1}, {"ours", trial.time(), z, CurveStyle::line, -1}}});
 }
 
-void submerged_cube(const CaseSetting& setting, CaseReport& report) {
-    WaterTrial trial(setting);
-    trial.run();
-    const double side = 0.16, end = trial.now(), start = 0.5 * end, buoyancy = 1000 * 9.81 * std::pow(side, 3);
-    report.judge({"buoyancy, mean of the second half", "N", {}, buoyancy, "rho g V"},
-                 trial.mean("cube.fluid_force.z", start, end), Relative{0.01});
-    report.judge_below(
-        {"sideways force over buoyancy", "-", {}, 0.0, {}},
-        std::hypot(trial.mean("cube.fluid_force.x", start, end), trial.mean("cube.fluid_force.y", start, end)) /
-            buoyancy,
-        0.01);
-}
-
 }  // namespace riprap::validation::water

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laminar viscosity against exact solutions: vortices and a wave that die, a disc that turns.
+// Laminar viscosity against exact solutions: vortices and a wave that die.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -114,24 +114,6 @@ void viscous_wave(const CaseSetting& setting, CaseReport& report) {
         {"period", "s", {}, period, "Lamb"},
         zeros.size() > 2 ? 2 * (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1) : std::nan(""),
         Relative{5e-3});
-    judge_ledger(report, trial);
-}
-
-void spinning_disc(const CaseSetting& setting, CaseReport& report) {
-    constexpr double inner = 0.1, outer = 0.2, viscosity = 10, rate = 1;  // of case.toml [m], [Pa s], [rad/s]
-    std::vector<std::string> finer;
-    if (setting.is_full) {
-        finer = {"fluid.spacing=0.005"};
-    }
-    WaterTrial trial(setting, finer);
-    trial.run();
-    const double i2 = inner * inner, o2 = outer * outer;
-    report.judge({"torque of the water on it",
-                  "N m/m",
-                  {},
-                  -4 * pi * viscosity * rate * i2 * o2 / (o2 - i2),
-                  "4 pi mu omega R_1^2 R_2^2/(R_2^2 - R_1^2)"},
-                 trial.mean("disc.fluid_torque.z", 0.75 * trial.now(), trial.now()), Relative{0.02});
     judge_ledger(report, trial);
 }
 
