@@ -45,6 +45,29 @@ void add_quantities_of(const std::string& body, std::vector<std::string>& names)
     }
 }
 
+/// Returns the name, of those between commas before a word in brackets ("row,top[mean].position.x"), that no body and
+/// no entry has; empty where all have one, and for other quantities.
+std::string unknown_of_several(const CaseBuild& build, const std::string& quantity) {
+    const std::size_t open = quantity.find('['), close = quantity.find(']');
+    if (open == std::string::npos || close == std::string::npos || close < open ||
+        std::find(sim::group_words.begin(), sim::group_words.end(), quantity.substr(open + 1, close - open - 1)) ==
+            sim::group_words.end()) {
+        return "";
+    }
+    std::size_t begin = 0;
+    while (quantity.find(',') < open && begin < open) {
+        const std::size_t end = std::min(quantity.find(',', begin), open);
+        const std::string name = quantity.substr(begin, end - begin);
+        const std::vector<std::string>& names = build.model.bodies.names;
+        if (std::find(names.begin(), names.end(), name) == names.end() &&
+            !sim::find_body(build.model.bodies, name).is_valid()) {
+            return name.empty() ? " " : name;
+        }
+        begin = end + 1;
+    }
+    return "";
+}
+
 /// Tells whether `quantity` names one number of the run; adds a problem with the nearest name otherwise.
 bool check_column(CaseBuild& build, const std::string& quantity, const SourcePlace& place) {
     if (const std::optional<sim::ColumnGroup> found = sim::find_columns(build.model, quantity)) {
@@ -69,6 +92,13 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
     if (const std::string body = quantity.substr(0, quantity.find('.'));
         sim::find_body(build.model.bodies, body).is_valid()) {
         add_quantities_of(body, known);
+    }
+    if (const std::string name = unknown_of_several(build, quantity); !name.empty()) {
+        const std::string meant = nearest(name, build.model.bodies.names);
+        build.problem(place, fmt::format("there is no body '{}' of '{}'", name, quantity),
+                      meant.empty() ? "names of bodies before the bracket, with commas between"
+                                    : fmt::format("did you mean '{}'?", meant));
+        return false;
     }
     const std::string meant = nearest(quantity, known);
     build.problem(place, fmt::format("there is no quantity '{}'", quantity),
