@@ -15,6 +15,9 @@ namespace {
 /// sin of the angle between two edges below which they do not cross.
 constexpr double parallel = 1e-9;
 
+/// D/W up to which a foot is whole, and from which on it is none.
+constexpr double whole_up_to = 0.125, none_from = 0.5;
+
 FootPatch& workspace() {
     static thread_local FootPatch patch;
     return patch;
@@ -73,9 +76,9 @@ CornerFoot::CornerFoot(const PlacedShape& a, const PlacedShape& b, double per_ar
     const double width = patch_.width();
     is_narrow_ = width < faces_.next.depth;
     room_ = is_narrow_ ? width : faces_.next.depth;
-    const double u = std::clamp(2 - 2 * faces_.least.depth / room_, 0.0, 1.0);
+    const double u = std::clamp((none_from - faces_.least.depth / room_) / (none_from - whole_up_to), 0.0, 1.0);
     fit_ = u * u * (3 - 2 * u);
-    fit_by_ratio_ = -12 * u * (1 - u);
+    fit_by_ratio_ = -6 * u * (1 - u) / (none_from - whole_up_to);
 }
 
 /// Sets the weights of the corners and E_c.

@@ -19,7 +19,7 @@ namespace riprap::contact {
 ///
 /// E_c takes the place of the energy E_p of the potential by the share sigma = s t, s of the directions of the faces
 /// (FacingFaces) and t of the depth D (FacingFaces::least) beside W, the lesser of the width of the patch and the depth
-/// below any other face: 1 up to D = W/2, a smooth step to 0 at D = W.
+/// below any other face: 1 up to D = W/8, a smooth step to 0 at D = W/2.
 ///
 ///     E = E_p + sigma (E_c - E_p)
 ///
