@@ -59,10 +59,7 @@ std::span<const ValidationCase> water_cases() {
     static constexpr std::array cases{
         ValidationCase{"water", "heave_decay", "A floating cylinder comes to rest (Ursell)", false, water::heave_decay},
         ValidationCase{"water", "standing_wave", "Period of a standing wave", false, water::standing_wave},
-        ValidationCase{"water", "floating_stability", "Which boxes float upright", true, water::floating_stability},
         ValidationCase{"water", "elliptic_drop", "A drop that stretches freely", false, water::elliptic_drop},
-        ValidationCase{"water", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", false,
-                       water::dam_break_obstacle},
         ValidationCase{"water", "wave_run_up", "Regular waves run up a smooth slope (Hunt; Seelig)", true,
                        water::wave_run_up},
         ValidationCase{"water", "sloshing", "Water in a pitching tank", false, water::sloshing},
@@ -76,7 +73,6 @@ std::span<const ValidationCase> water_cases() {
                        false, water::dam_break_cubes},
         ValidationCase{"water", "taylor_green", "Vortices die by viscosity", false, water::taylor_green},
         ValidationCase{"water", "viscous_wave", "A standing wave dies by viscosity", false, water::viscous_wave},
-        ValidationCase{"water", "stoker", "Dam break on a wet bed", false, water::stoker},
         ValidationCase{"water", "torricelli", "Flow through a sharp slot", false, water::torricelli},
     };
     return cases;
