@@ -57,15 +57,11 @@ std::span<const ValidationCase> rigid_cases() {
 
 std::span<const ValidationCase> water_cases() {
     static constexpr std::array cases{
-        ValidationCase{"water", "heave_decay", "A floating cylinder comes to rest (Ursell)", false, water::heave_decay},
         ValidationCase{"water", "standing_wave", "Period of a standing wave", false, water::standing_wave},
         ValidationCase{"water", "elliptic_drop", "A drop that stretches freely", false, water::elliptic_drop},
         ValidationCase{"water", "wave_run_up", "Regular waves run up a smooth slope (Hunt; Seelig)", true,
                        water::wave_run_up},
-        ValidationCase{"water", "sloshing", "Water in a pitching tank", false, water::sloshing},
         ValidationCase{"water", "sway", "Shallow water in a swaying tank (Bouscasse and others)", true, water::sway},
-        ValidationCase{"water", "cylinder_entry", "A cylinder falls into water (Greenhow and Lin)", false,
-                       water::cylinder_entry},
         ValidationCase{"water", "sinking_block", "A block sinks (Qiu and others)", false, water::sinking_block},
         ValidationCase{"water", "dam_break_cube", "A dam break carries a cube (Canelas and others)", false,
                        water::dam_break_cube},
