@@ -15,8 +15,6 @@ void wave_run_up(const CaseSetting& setting, CaseReport& report);
 void sway(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void sinking_block(const CaseSetting& setting, CaseReport& report);
-void dam_break_cube(const CaseSetting& setting, CaseReport& report);
-void dam_break_cubes(const CaseSetting& setting, CaseReport& report);
 void taylor_green(const CaseSetting& setting, CaseReport& report);
 void viscous_wave(const CaseSetting& setting, CaseReport& report);
 void torricelli(const CaseSetting& setting, CaseReport& report);
