@@ -16,16 +16,6 @@ TEST(WaterRecord, integral_is_exact_for_straight_lines_and_cuts_its_ends) {
     EXPECT_DOUBLE_EQ(integral(x, y, 0.5, 3), 0.5 * 0.5 * (1 + 2) + 0);
 }
 
-TEST(WaterRecord, running_means_keep_what_is_even_and_spread_what_is_not) {
-    const std::vector<double> t{0, 1, 2, 3, 4, 5, 6}, spike{0, 0, 0, 4, 0, 0, 0}, even(7, 3.0);
-    const std::vector<double> means = running_mean(t, spike, 2);
-    EXPECT_DOUBLE_EQ(means[3], 2);
-    EXPECT_DOUBLE_EQ(means[2], 1);
-    EXPECT_DOUBLE_EQ(means[1], 0);
-    EXPECT_DOUBLE_EQ(running_mean(t, even, 2)[3], 3);
-    EXPECT_DOUBLE_EQ(running_mean(t, even, 2)[0], 1.5);
-}
-
 TEST(WaterRecord, values_lie_on_the_line_between_rows_and_stay_beyond_the_ends) {
     EXPECT_DOUBLE_EQ(interpolated(x, y, 2), 0);
     EXPECT_DOUBLE_EQ(interpolated(x, y, -1), 0);

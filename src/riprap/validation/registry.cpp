@@ -57,26 +57,13 @@ std::span<const ValidationCase> rigid_cases() {
 
 std::span<const ValidationCase> water_cases() {
     static constexpr std::array cases{
-        ValidationCase{"water", "heave_decay", "A floating cylinder comes to rest (Ursell)", false, water::heave_decay},
         ValidationCase{"water", "standing_wave", "Period of a standing wave", false, water::standing_wave},
-        ValidationCase{"water", "floating_stability", "Which boxes float upright", true, water::floating_stability},
         ValidationCase{"water", "elliptic_drop", "A drop that stretches freely", false, water::elliptic_drop},
-        ValidationCase{"water", "dam_break_obstacle", "Dam break against a box (SPHERIC 2)", false,
-                       water::dam_break_obstacle},
         ValidationCase{"water", "wave_run_up", "Regular waves run up a smooth slope (Hunt; Seelig)", true,
                        water::wave_run_up},
-        ValidationCase{"water", "sloshing", "Water in a pitching tank", false, water::sloshing},
         ValidationCase{"water", "sway", "Shallow water in a swaying tank (Bouscasse and others)", true, water::sway},
-        ValidationCase{"water", "cylinder_entry", "A cylinder falls into water (Greenhow and Lin)", false,
-                       water::cylinder_entry},
-        ValidationCase{"water", "sinking_block", "A block sinks (Qiu and others)", false, water::sinking_block},
-        ValidationCase{"water", "dam_break_cube", "A dam break carries a cube (Canelas and others)", false,
-                       water::dam_break_cube},
-        ValidationCase{"water", "dam_break_cubes", "A dam break knocks down a pyramid of cubes (Canelas and others)",
-                       false, water::dam_break_cubes},
         ValidationCase{"water", "taylor_green", "Vortices die by viscosity", false, water::taylor_green},
         ValidationCase{"water", "viscous_wave", "A standing wave dies by viscosity", false, water::viscous_wave},
-        ValidationCase{"water", "stoker", "Dam break on a wet bed", false, water::stoker},
         ValidationCase{"water", "torricelli", "Flow through a sharp slot", false, water::torricelli},
     };
     return cases;

@@ -9,20 +9,14 @@
 namespace riprap::validation::water {
 
 void heave_decay(const CaseSetting& setting, CaseReport& report);
-void floating_stability(const CaseSetting& setting, CaseReport& report);
 void standing_wave(const CaseSetting& setting, CaseReport& report);
-void dam_break_obstacle(const CaseSetting& setting, CaseReport& report);
 void elliptic_drop(const CaseSetting& setting, CaseReport& report);
 void wave_run_up(const CaseSetting& setting, CaseReport& report);
-void sloshing(const CaseSetting& setting, CaseReport& report);
 void sway(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void sinking_block(const CaseSetting& setting, CaseReport& report);
-void dam_break_cube(const CaseSetting& setting, CaseReport& report);
-void dam_break_cubes(const CaseSetting& setting, CaseReport& report);
 void taylor_green(const CaseSetting& setting, CaseReport& report);
 void viscous_wave(const CaseSetting& setting, CaseReport& report);
-void stoker(const CaseSetting& setting, CaseReport& report);
 void torricelli(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::water

@@ -126,17 +126,6 @@ double WaterTrial::mean(const std::string& name, double start, double end) const
     return integral(time_, column(name), start, end) / (end - start);
 }
 
-double WaterTrial::first_reach(const std::string& name, double level) const {
-    const std::vector<double>& y = column(name);
-    for (std::size_t i = 0; i < y.size(); ++i) {
-        if (y[i] >= level) {
-            return i == 0 ? time_[0]
-                          : time_[i - 1] + (level - y[i - 1]) / (y[i] - y[i - 1]) * (time_[i] - time_[i - 1]);
-        }
-    }
-    return std::nan("");
-}
-
 void judge_ledger(CaseReport& report, const WaterTrial& trial, const std::string& run) {
     const std::string prefix = run.empty() ? "" : run + ": ";
     report.judge_below(
@@ -174,19 +163,6 @@ double integral(std::span<const double> x, std::span<const double> y, double sta
         }
     }
     return sum + 0.5 * (last_y + interpolated(x, y, end)) * (end - last_x);
-}
-
-std::vector<double> running_mean(std::span<const double> x, std::span<const double> y, double width) {
-    std::vector<double> sum(x.size(), 0);  // the integral from the first x
-    for (std::size_t i = 1; i < x.size(); ++i) {
-        sum[i] = sum[i - 1] + 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
-    }
-    std::vector<double> means;
-    for (const double at : x) {
-        const double low = std::max(at - 0.5 * width, x.front()), high = std::min(at + 0.5 * width, x.back());
-        means.push_back((interpolated(x, sum, high) - interpolated(x, sum, low)) / width);
-    }
-    return means;
 }
 
 Crest crest_of(std::span<const double> time, std::span<const double> level, double until) {

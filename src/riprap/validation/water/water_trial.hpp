@@ -48,8 +48,6 @@ class WaterTrial {
     const std::vector<double>& column(const std::string& name) const;
     /// Returns the mean of a column over start <= t <= end.
     double mean(const std::string& name, double start, double end) const;
-    /// The moment at which it first reaches `level` from below, between rows by the straight line; NaN if never [s].
-    double first_reach(const std::string& name, double level) const;
 
     double now() const { return state_.time; }
     /// Time that the trial took from its start, over all its parts where it was taken up [s].
@@ -99,8 +97,6 @@ double water_area(const WaterTrial& trial);
 
 /// Integral of y over x from `start` to `end` by trapezia between the points; ends are interpolated.
 double integral(std::span<const double> x, std::span<const double> y, double start, double end);
-/// Means of y over `width` about every x; between two points y counts with the mean of both, beyond the ends as 0.
-std::vector<double> running_mean(std::span<const double> x, std::span<const double> y, double width);
 /// y at x on straight lines between the points; the end values beyond.
 double interpolated(std::span<const double> x, std::span<const double> y, double at);
 /// The highest point of a record.
