@@ -32,11 +32,12 @@ bool is_first_of(const MarkupElement& element, std::string_view key, std::string
     return true;
 }
 
-/// Reports a second element of the same name and type.
+/// Reports a second element of the same name, of materials and joints of the same type: one of both would go unread.
 void refuse_second(const std::vector<MarkupElement>& elements, const MarkupElement& parent,
                    const MarkupElement& element, Numbers& numbers) {
-    const auto type_of = [](const MarkupElement& one) {
-        const Word* word = one.attribute("type");
+    const bool is_typed = element.name == "Blockmaterial" || element.name == "Jointproperties";
+    const auto type_of = [is_typed](const MarkupElement& one) {
+        const Word* word = is_typed ? one.attribute("type") : nullptr;
         return word == nullptr ? std::string_view{} : word->text;
     };
     for (const std::size_t child : parent.children) {
@@ -46,8 +47,8 @@ void refuse_second(const std::vector<MarkupElement>& elements, const MarkupEleme
         }
         if (other.name == element.name && type_of(other) == type_of(element)) {
             numbers.report({element.name, element.line, element.column},
-                           fmt::format("a second <{}> of type {}; the first is in line {}", element.name,
-                                       quote(type_of(element)), other.line),
+                           fmt::format("a second <{}>{}; the first is in line {}", element.name,
+                                       is_typed ? fmt::format(" of type {}", quote(type_of(element))) : "", other.line),
                            "each once");
             return;
         }
@@ -59,6 +60,7 @@ DdaMaterial read_material(const std::vector<MarkupElement>& elements, const Mark
     DdaMaterial material;
     for (const std::size_t child : list.children) {
         const MarkupElement& element = elements[child];
+        refuse_second(elements, list, element, numbers);
         if (element.name == "Unitmass") {
             material.density = numbers.value_in(element, 0, HUGE_VAL, not_negative);
         } else if (element.name == "Unitweight") {
@@ -85,6 +87,7 @@ DdaJointProperties read_joint(const std::vector<MarkupElement>& elements, const 
     DdaJointProperties joint;
     for (const std::size_t child : list.children) {
         const MarkupElement& element = elements[child];
+        refuse_second(elements, list, element, numbers);
         if (element.name == "Friction") {
             joint.friction_angle = numbers.value_in(element, 0, most_friction, friction_range) * std::numbers::pi / 180;
         } else if (element.name == "Cohesion") {
@@ -219,9 +222,7 @@ void read_marked_analysis(std::string_view bytes, const std::string& file, Probl
             }
             has_analysis = true;
             for (const std::size_t child : element.children) {
-                if (elements[child].name == "Blockmaterial" || elements[child].name == "Jointproperties") {
-                    refuse_second(elements, element, elements[child], numbers);
-                }
+                refuse_second(elements, element, elements[child], numbers);
                 read_setting(elements, elements[child], numbers, analysis);
             }
         }
