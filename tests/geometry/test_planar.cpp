@@ -276,6 +276,7 @@ TEST(DdaFiles, WordsThatAreNoneAndSecondElementsAreRefusedAtTheirPlace) {
                 "<Jointproperties type=\"1\"><Friction> 1 </Friction>\n<Friction> 2 </Friction></Jointproperties>"))
             .find("bad.ana:3:1: a second <Friction>; the first is in line 2"),
         std::string::npos);
+    EXPECT_EQ(analysis_problem_of(analysis("<Remark/><Remark/>" + joint)), "");  // is not read
     EXPECT_NE(analysis_problem_of("<DDA><Analysis/>\n<Analysis/></DDA>").find("bad.ana:2:1: a second <Analysis>"),
               std::string::npos);
     EXPECT_NE(problem_of("<DDA><Geometry/>\n<Geometry/></DDA>").find("bad.geo:2:1: a second <Geometry>"),
