@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
+#include "riprap/fluid/gauge/turbulence_reader.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/read.hpp"
@@ -17,7 +18,7 @@ using fluid::grid::at;
 using fluid::grid::Mesh;
 
 /// The water of a grid as gauges read it, with the share of cells that solids leave to it.
-struct Reader : fluid::WaterReader {
+struct Reader : fluid::WaterReader, fluid::TurbulenceReader {
     const GridFluidSettings& settings;
     const GridFluidFields& fields;
     const fluid::grid::GridState& water;
@@ -207,7 +208,9 @@ struct Reader : fluid::WaterReader {
         }
         return sum;
     }
-    double volume(const Vec3& low, const Vec3& high) const override {
+    /// Sum over the water in a box of `times(cell)` times its volume.
+    template <class F>
+    double sum_in_box(const Vec3& low, const Vec3& high, const F& times) const {
         return fluid::grid::reduce_cells(
             mesh().box, 0.0,
             [&](std::int64_t c, int i, int j, int k) {
@@ -217,9 +220,16 @@ struct Reader : fluid::WaterReader {
                     const double from = mesh().edge[at(a)][at(place[at(a)])], h = mesh().h(a, place[at(a)]);
                     covered *= std::max(0.0, std::min(high[a], from + h) - std::max(low[a], from)) / h;
                 }
-                return covered * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k);
+                return covered * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k) * times(c);
             },
             fluid::grid::sum_of);
+    }
+    double volume(const Vec3& low, const Vec3& high) const override {
+        return sum_in_box(low, high, [](std::int64_t) { return 1.0; });
+    }
+    double turbulent_energy(const Vec3& low, const Vec3& high) const override {
+        const std::vector<double>& k = water.turbulent_energy;
+        return k.empty() ? 0 : sum_in_box(low, high, [&k](std::int64_t c) { return k[at(c)]; });
     }
     /// In front of a face: half a cell away from it, and the weight of water back to it.
     double wall_pressure() const override {

@@ -39,10 +39,12 @@ std::vector<std::string> keys_of(const Value& vary) {
 /// The values of every key, a row for each run.
 std::vector<std::vector<Value>> rows_of(const Value& vary) {
     std::vector<std::vector<Value>> rows;
-    for (const char* const key : {"values", "words"}) {
-        for (const Value& value : list_of(vary, key).items) {
-            rows.push_back({value});
-        }
+    for (const Value& value : list_of(vary, "values").items) {
+        rows.push_back({value});
+    }
+    const std::size_t keys = get(vary, "key").is_text() ? 1 : get(vary, "key").items.size();
+    for (const Value& word : list_of(vary, "words").items) {
+        rows.emplace_back(keys, word);
     }
     for (const Value& row : list_of(vary, "rows").items) {
         rows.push_back(row.items);

@@ -17,8 +17,5 @@ void slope_2(const CaseSetting& setting, CaseReport& report);
 void slope_3(const CaseSetting& setting, CaseReport& report);
 void slope_4(const CaseSetting& setting, CaseReport& report);
 void slope_5(const CaseSetting& setting, CaseReport& report);
-void mixed_pile(const CaseSetting& setting, CaseReport& report);
-void cubes_in_box(const CaseSetting& setting, CaseReport& report);
-void cubes_of_tetrahedra(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::zhao
