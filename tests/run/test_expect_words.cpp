@@ -223,12 +223,14 @@ TEST(ExpectWords, BodiesOfEntriesAreTakenTogether) {
 TEST(ExpectWords, GroupsOfWhatIsNotThereAreToldWithTheirPlace) {
     const std::string band = "low = 0.0\nhigh = 9.0\n";
     for (const std::string quantity :
-         {"heap[mean].position.x", "row[median].position.x", "row[mean].colour", "row,heap[mean].position.x",
-          "row,row[sum].position.x", "row[mean]", "row[sum", "row]sum[.position.x", "row[above].position.x",
-          "row[above high].position.x", "row[above 1 m].position.x", "row[sum 1].position.x"}) {
+         {"heap[mean].position.x", "row[median].position.x", "row[mean].colour", "row,row[sum].position.x", "row[mean]",
+          "row[sum", "row]sum[.position.x", "row[above].position.x", "row[above high].position.x",
+          "row[above 1 m].position.x", "row[sum 1].position.x"}) {
         EXPECT_THAT(problem_of(row + expect("a", "quantity = '" + quantity + "'\n" + band)),
                     HasSubstr("case.toml:27:12: there is no quantity '" + quantity + "'"));
     }
+    EXPECT_THAT(problem_of(row + expect("a", "quantity = 'row,heap[mean].position.x'\n" + band)),
+                HasSubstr("case.toml:27:12: there is no body 'heap' of 'row,heap[mean].position.x'"));
     EXPECT_THAT(problem_of(row + expect("a", "quantity = 'row[mean].stress_xx'\n" + band)),
                 HasSubstr("the methods of this case do not have"));
 }
