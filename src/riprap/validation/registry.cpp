@@ -53,10 +53,8 @@ std::span<const ValidationCase> water_cases() {
         ValidationCase{"water", "elliptic_drop", "A drop that stretches freely", false, water::elliptic_drop},
         ValidationCase{"water", "wave_run_up", "Regular waves run up a smooth slope (Hunt; Seelig)", true,
                        water::wave_run_up},
-        ValidationCase{"water", "sway", "Shallow water in a swaying tank (Bouscasse and others)", true, water::sway},
         ValidationCase{"water", "taylor_green", "Vortices die by viscosity", false, water::taylor_green},
         ValidationCase{"water", "viscous_wave", "A standing wave dies by viscosity", false, water::viscous_wave},
-        ValidationCase{"water", "torricelli", "Flow through a sharp slot", false, water::torricelli},
     };
     return cases;
 }
