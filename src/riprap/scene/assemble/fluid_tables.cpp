@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/scene/assemble/fluid_tables.hpp"
-#include "riprap/scene/case/orientation.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "riprap/scene/case/orientation.hpp"
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/case/placed_part.hpp"

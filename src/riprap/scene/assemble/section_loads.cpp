@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces on the blocks of a section.
 #include "riprap/scene/assemble/section_loads.hpp"
-#include "riprap/scene/assemble/build_case.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include <array>
 #include <limits>
 
+#include "riprap/scene/assemble/build_case.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/scene/assemble/load_tables.hpp"
 
