@@ -21,10 +21,6 @@ namespace {
 
 std::span<const ValidationCase> zhao_cases() {
     static constexpr std::array cases{
-        ValidationCase{"zhao", "two_tetrahedra", "A tetrahedron falls on the ridge of another and returns", false,
-                       zhao::two_tetrahedra},
-        ValidationCase{"zhao", "incline", "A block slides up an incline, stops, and slides back or stays", false,
-                       zhao::incline},
         ValidationCase{"zhao", "free_columns", "Columns of blocks by themselves on a tilting platform", true,
                        zhao::free_columns},
         ValidationCase{"zhao", "slope_1", "Tilted slope: large blocks, persistent joints", true, zhao::slope_1},
@@ -33,8 +29,6 @@ std::span<const ValidationCase> zhao_cases() {
         ValidationCase{"zhao", "slope_4", "Tilted slope: cubes, stepped joints", true, zhao::slope_4},
         ValidationCase{"zhao", "slope_5", "Tilted slope: stepped large blocks pushed by small columns", true,
                        zhao::slope_5},
-        ValidationCase{"zhao", "pillar_impact", "A block hits a row and a pillar of blocks", false,
-                       zhao::pillar_impact},
     };
     return cases;
 }
@@ -61,22 +55,13 @@ std::span<const ValidationCase> water_cases() {
 
 std::span<const ValidationCase> mikola_cases() {
     static constexpr std::array cases{
-        ValidationCase{"mikola", "sliding_wedge", "A wedge slides down a plane into water", false,
-                       mikola::sliding_wedge},
         ValidationCase{"mikola", "wave_maker", "A piston makes waves that run up a beach", false, mikola::wave_maker},
-        ValidationCase{"mikola", "submarine_wedge", "A wedge slides under water (Heinrich)", false,
-                       mikola::submarine_wedge},
-        ValidationCase{"mikola", "scott_russell", "A box falls into water and sends off a solitary wave", false,
-                       mikola::scott_russell},
-        ValidationCase{"mikola", "rotating_block", "A block turns many times", false, mikola::rotating_block},
     };
     return cases;
 }
 
 std::span<const ValidationCase> mellado_cases() {
     static constexpr std::array cases{
-        ValidationCase{"mellado", "block_entry", "A block falls into water at three densities", false,
-                       mellado::block_entry},
         ValidationCase{"mellado", "cylinder_entry", "A cylinder falls into deep water at two densities", false,
                        mellado::cylinder_entry},
         ValidationCase{"mellado", "floes_4", "Dam breaks over four beds carry four floes", false, mellado::floes_4},
@@ -88,8 +73,6 @@ std::span<const ValidationCase> mellado_cases() {
         ValidationCase{"mellado", "floes_none", "Dam breaks over four beds without floes", false, mellado::floes_none},
         ValidationCase{"mellado", "floe_methods", "A dam break with floes by every pair of methods", false,
                        mellado::floe_methods},
-        ValidationCase{"mellado", "three_cubes", "A dam break meets three cubes of spheres", false,
-                       mellado::three_cubes},
     };
     return cases;
 }

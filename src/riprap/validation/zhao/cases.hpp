@@ -8,9 +8,6 @@
 
 namespace riprap::validation::zhao {
 
-void two_tetrahedra(const CaseSetting& setting, CaseReport& report);
-void incline(const CaseSetting& setting, CaseReport& report);
-void pillar_impact(const CaseSetting& setting, CaseReport& report);
 void free_columns(const CaseSetting& setting, CaseReport& report);
 void slope_1(const CaseSetting& setting, CaseReport& report);
 void slope_2(const CaseSetting& setting, CaseReport& report);
