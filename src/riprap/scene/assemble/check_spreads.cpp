@@ -10,6 +10,7 @@
 
 #include "riprap/scene/keys/check_keys.hpp"
 #include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/text/override_paths.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 
 namespace riprap::scene {
@@ -33,7 +34,7 @@ void check_spreads(const Value& checked, const Value& root, bool is_planar, std:
     std::set<std::string> keys;
     for (const Value& spread : spreads != nullptr ? spreads->items : std::vector<Value>{}) {
         const Value& key = get(spread, "key");
-        if (!keys.insert(key.text).second) {
+        if (!keys.insert(plain_path(root, key.text)).second) {
             problems.push_back({key.place, fmt::format("'{}' has a [[spread]] already", key.text), "one of each key"});
             continue;
         }

@@ -10,6 +10,7 @@
 
 #include "riprap/scene/keys/check_keys.hpp"
 #include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/text/override_paths.hpp"
 #include "riprap/scene/text/suggest.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 
@@ -198,7 +199,11 @@ void check_variations(const Value& checked, const Value& root, bool is_planar, s
         const std::vector<std::string> keys = keys_of(vary);
         const std::vector<std::vector<Value>> rows = rows_of(vary);
         const std::size_t before = problems.size();
-        if (std::set<std::string>(keys.begin(), keys.end()).size() < keys.size()) {
+        std::set<std::string> plain;
+        for (const std::string& key : keys) {
+            plain.insert(plain_path(root, key));
+        }
+        if (plain.size() < keys.size()) {
             problems.push_back({get(vary, "key").place, "a key stands twice in one [[vary]]", "each key once"});
         }
         for (const std::vector<Value>& row : rows) {

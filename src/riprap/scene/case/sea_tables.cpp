@@ -70,11 +70,15 @@ wave::IrregularWave waves_of(const Sea& sea, double depth, double gravity) {
                : wave::sea_of(sea.spectrum, depth, gravity, paddle_components, sea.seed);
 }
 
-/// Refuses seas beyond second-order theory, too high, or too long for rows.
+/// Refuses seas beyond second-order theory, too high, steeper than a wave of their peak can be (as one of a spectrum
+/// over rad/s is that is read as over 1/s), or too long for rows.
 void check_sea(CaseBuild& build, const Value& table, const Sea& sea, double gravity) {
     const double depth = get_number(table, "depth"), end = build.model.time.end;
     const double most = sea.period / rows_in_period * static_cast<double>(limits::table_rows);
-    const double length = wave::linear_wave(sea.height, sea.period, depth, gravity).length();
+    const wave::LinearWave peak = wave::linear_wave(sea.height, sea.period, depth, gravity);
+    const double length = peak.length();
+    const double steepest = 0.142 * length * std::tanh(peak.kd());  // [Miche1944]
+    const Value* file = table.find("spectrum_file");
     const double ursell = sea.height * length * length / (depth * depth * depth);
     if (end > most) {
         build.problem(table.place, fmt::format("a sea of {:.4g} s over {:.4g} s", sea.period, end),
@@ -83,6 +87,12 @@ void check_sea(CaseBuild& build, const Value& table, const Sea& sea, double grav
         build.problem(table.place,
                       fmt::format("a sea of H_m0 = {:.4g} m in {:.4g} m of water breaks", sea.height, depth),
                       fmt::format("less than {:.4g} m, {} of the depth", breaking_share * depth, breaking_share));
+    } else if (!(sea.height < steepest)) {
+        build.problem(file != nullptr ? file->place : table.place,
+                      fmt::format("a sea {:.4g} m high whose peak at {:.4g} Hz is {:.4g} m long breaks", sea.height,
+                                  1 / sea.period, length),
+                      fmt::format("less than {:.4g} m, 0.142 L tanh kd{}", steepest,
+                                  file != nullptr ? "; frequencies of the file in 1/s, not rad/s" : ""));
     } else if (get_boolean(table, "second_order") && ursell >= wave::second_order_limit) {
         build.problem(
             table.place,
