@@ -161,8 +161,8 @@ inline constexpr GaugeKind turbulent_energy_gauge{
 
 /// Every kind, in the order of the manual.
 inline constexpr std::array all_gauges{
-    &pressure_gauge,      &velocity_gauge,   &level_gauge,   &surface_gauge,       &run_up_gauge,
-    &flow_gauge,          &volume_gauge,     &centre_gauge,  &mean_velocity_gauge, &flow_error_gauge,
-    &changed_gauge,       &wall_pressure_gauge, &overhang_gauge, &turbulent_energy_gauge};
+    &pressure_gauge, &velocity_gauge,      &level_gauge,    &surface_gauge,         &run_up_gauge,
+    &flow_gauge,     &volume_gauge,        &centre_gauge,   &mean_velocity_gauge,   &flow_error_gauge,
+    &changed_gauge,  &wall_pressure_gauge, &overhang_gauge, &turbulent_energy_gauge};
 
 }  // namespace riprap::fluid

@@ -9,9 +9,9 @@
 #include <optional>
 #include <string>
 
-#include "riprap/scene/case/orientation.hpp"
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/shapes.hpp"
+#include "riprap/scene/case/orientation.hpp"
 #include "riprap/scene/case/placed_part.hpp"
 #include "riprap/scene/keys/bound_keys.hpp"
 #include "riprap/scene/keys/methods.hpp"

@@ -8,8 +8,8 @@
 #include <array>
 #include <limits>
 
-#include "riprap/scene/assemble/build_case.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/scene/assemble/build_case.hpp"
 #include "riprap/scene/assemble/load_tables.hpp"
 
 namespace riprap::scene {
