@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "riprap/body/gravity.hpp"
 #include "riprap/coupling/fill.hpp"
+#include "riprap/fluid/flow/flows.hpp"
 #include "riprap/fluid/grid/settings.hpp"
 #include "riprap/fluid/particle/domain.hpp"
 #include "riprap/wave/irregular_wave.hpp"
@@ -57,6 +59,20 @@ struct OpenSide {
     double level{1e300};  ///< up to which water enters, or stands beyond [m]
 };
 
+/// What a case says of a whole side of the domain.
+struct SideRule {
+    enum class Kind : std::uint8_t {
+        slip,           ///< a wall without friction
+        no_slip,        ///< a wall that the water sticks to
+        wall_function,  ///< a wall with the shear of a turbulent layer
+        endless,        ///< the flow goes on beyond as it is inside, without a difference of pressure
+        flow,           ///< water comes in and goes out with the velocity of FieldScene::flow
+    };
+    int side{0};  ///< twice the axis, plus 1 for the high side
+    Kind kind{Kind::slip};
+    Vec3 velocity{};  ///< of a wall, along itself [m/s]
+};
+
 /// Stones that water flows through.
 struct Stones {
     std::vector<geometry::Polyhedron> pieces;  ///< convex, world axes [m]
@@ -76,6 +92,8 @@ struct CalmBox {
 struct FieldScene {
     fluid::Domain domain;
     std::vector<FillRegion> regions;
+    std::optional<fluid::Flow> flow;  ///< velocity at the start, instead of that of the regions
+    std::vector<SideRule> sides;
     std::vector<LevelAt> levels;  ///< in rising order of time; empty where the level does not change
     Vec3 up{0, 0, 1};             ///< against gravity [-]
     body::Gravity gravity{};

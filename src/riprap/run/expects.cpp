@@ -30,6 +30,19 @@ std::string unit_over(const std::string& above, const std::string& below) {
     return below == "-" ? above : above == below ? "-" : fmt::format("({})/({})", above, below);
 }
 
+/// Returns the unit of a reduced value.
+std::string unit_of(const std::string& reduce, const std::string& unit) {
+    return reduce == "period" ? "s" : reduce == "noise" || reduce == "reflection" ? "-" : unit;
+}
+
+/// Returns the numbers that an answer keeps beside its running figures, before the first value.
+std::vector<double> numbers_of(const sim::Expect& expect, const std::optional<sim::Profile>& profile) {
+    if (sim::is_of_waves(expect.reduce) && profile) {
+        return std::vector<double>(profile->columns.size() * wave_numbers, 0.0);
+    }
+    return std::vector<double>(expect.reduce == "noise" ? noise_numbers : expect.curve.along.size(), missing);
+}
+
 Diagnostic problem_of(const sim::Expect& expect, std::string message, std::string allowed) {
     return {{expect.place, 0, 0}, "expect '" + expect.name + "': " + std::move(message), std::move(allowed)};
 }
@@ -54,7 +67,8 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
             return column.value_or(sim::ColumnGroup{{}, {{}}});
         };
         Columns columns;
-        if (expect.curve.quantity == sim::along_profile && sim::is_of_curve(expect.reduce)) {
+        if (sim::is_of_waves(expect.reduce) ||
+            (expect.curve.quantity == sim::along_profile && sim::is_of_curve(expect.reduce))) {
             columns.profile = sim::find_profile(model, expect.quantity);
         }
         columns.quantity =
@@ -66,8 +80,8 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
         if (!columns.profile && (expect.reduce == "when" || sim::is_of_curve(expect.reduce))) {
             columns.trigger = find(expect.reduce == "when" ? expect.when : expect.curve.quantity);
         }
+        met_.push_back(numbers_of(expect, columns.profile));
         columns_.push_back(std::move(columns));
-        met_.emplace_back(expect.curve.along.size(), missing);
     }
     if (!problems.empty()) {
         throw CaseError(std::move(problems));
@@ -77,6 +91,10 @@ ExpectWatch::ExpectWatch(const sim::Model& model) : model_(model), figures_(mode
 void ExpectWatch::look(const sim::Moment& moment) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const sim::Expect& expect = model_.expects[i];
+        if (sim::is_of_waves(expect.reduce)) {
+            look_at_waves(met_[i], expect, *columns_[i].profile, moment);
+            continue;
+        }
         if (columns_[i].profile) {
             look_at_profile(figures_[i], met_[i], expect, *columns_[i].profile, moment);
             continue;
@@ -93,6 +111,8 @@ void ExpectWatch::look(const sim::Moment& moment) {
                 look_at_curve(figures_[i], met_[i], expect.curve, evaluate(columns_[i].trigger, moment), value);
             } else if (expect.reduce == "period") {
                 look_at_crossing(figures_[i], moment.state.time, value, expect.reaches);
+            } else if (expect.reduce == "noise") {
+                look_at_noise(met_[i], value);
             }
             add(figures_[i], moment.state.time, value);
         }
@@ -107,10 +127,9 @@ std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
         ExpectResult result{.name = expect.name,
                             .quantity = expect.quantity,
                             .reduce = expect.reduce,
-                            .unit = expect.reduce == "period" ? "s" : columns_[i].unit,
+                            .unit = unit_of(expect.reduce, columns_[i].unit),
                             .citation = expect.citation,
-                            .value = sim::is_of_curve(expect.reduce) ? error_of(met_[i], expect.curve, expect.reduce)
-                                                                     : reduce(figures_[i], expect.reduce),
+                            .value = value_of(i),
                             .time = time_of(figures_[i], expect.reduce),
                             .low = expect.low,
                             .high = expect.high};
@@ -136,6 +155,17 @@ std::vector<ExpectResult> ExpectWatch::judge(bool at_end) const {
         results.push_back(std::move(result));
     }
     return results;
+}
+
+double ExpectWatch::value_of(std::size_t i) const {
+    const sim::Expect& expect = model_.expects[i];
+    if (sim::is_of_waves(expect.reduce)) {
+        return waves_of(met_[i], expect, *columns_[i].profile);
+    }
+    if (sim::is_of_curve(expect.reduce)) {
+        return error_of(met_[i], expect.curve, expect.reduce);
+    }
+    return expect.reduce == "noise" ? noise_of(met_[i]) : reduce(figures_[i], expect.reduce);
 }
 
 std::vector<double> ExpectWatch::save() const {

@@ -55,6 +55,8 @@ class ExpectWatch {
     void load(const std::vector<double>& numbers);
 
  private:
+    double value_of(std::size_t answer) const;
+
     const sim::Model& model_;
     std::vector<Columns> columns_;
     std::vector<RunningFigures> figures_;

@@ -71,6 +71,24 @@ void look_at_curve(RunningFigures& f, std::vector<double>& met, const sim::Expec
 void look_at_profile(RunningFigures& f, std::vector<double>& met, const sim::Expect& expect,
                      const sim::Profile& profile, const sim::Moment& moment);
 
+/// Takes the next value into the numbers of reduce = "noise": the last four values, the largest noise and the largest
+/// size.
+void look_at_noise(std::vector<double>& numbers, double value);
+constexpr std::size_t noise_numbers = 6, wave_numbers = 9;  ///< of an answer; of a gauge
+
+/// Returns the largest difference from the cubic through the two values before and the two after, over the largest
+/// size; missing before the fifth value [-].
+double noise_of(const std::vector<double>& numbers);
+
+/// Takes the levels of a profile at one moment into the sums of reduce = "incident" and "reflection", a harmonic fit
+/// (wave::HarmonicSums) for each gauge.
+void look_at_waves(std::vector<double>& sums, const sim::Expect& expect, const sim::Profile& profile,
+                   const sim::Moment& moment);
+
+/// Returns the amplitude of the waves that come in [m], or of those that go back over it [-]; missing where the sums
+/// cannot tell.
+double waves_of(const std::vector<double>& sums, const sim::Expect& expect, const sim::Profile& profile);
+
 /// Returns the figure that a `reduce` asks for (sim/reductions.hpp), curves left out; missing where none came.
 double reduce(const RunningFigures& f, const std::string& how);
 

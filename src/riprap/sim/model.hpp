@@ -89,6 +89,7 @@ struct Expect {
     std::int32_t over{-1};      ///< an earlier answer by which that is divided; -1 = none
     bool is_reported{false};    ///< has no band
     ExpectCurve curve{};        ///< for reduce = rms and worst
+    double wave_period{0}, wave_length{0};  ///< for reduce = incident and reflection [s], [m]
 };
 
 /// Model: the content of the case. Built once by scene/, then const.

@@ -9,7 +9,6 @@
 #include "riprap/validation/ding/breakwater.hpp"
 #include "riprap/validation/ding/cases_3d.hpp"
 #include "riprap/validation/ding/planar_cases.hpp"
-#include "riprap/validation/grid/cases.hpp"
 #include "riprap/validation/mellado/cases.hpp"
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/rigid/cases.hpp"
@@ -111,32 +110,6 @@ std::span<const ValidationCase> mellado_cases() {
     return cases;
 }
 
-std::span<const ValidationCase> grid_cases() {
-    static constexpr std::array cases{
-        ValidationCase{"grid", "cavity", "Flow in a box whose lid moves (Ghia and others)", false, grid::cavity},
-        ValidationCase{"grid", "poiseuille", "Flow between plates starts under a body force", false, grid::poiseuille},
-        ValidationCase{"grid", "couette", "Flow between plates starts with one of them", false, grid::couette},
-        ValidationCase{"grid", "kovasznay", "Steady flow behind a grid, equal and graded cells: order of convergence",
-                       false, grid::kovasznay},
-        ValidationCase{"grid", "taylor_green", "A vortex decays: order of convergence", false, grid::taylor_green},
-        ValidationCase{"grid", "slotted_disc", "A slotted disc is carried around (Zalesak)", false, grid::slotted_disc},
-        ValidationCase{"grid", "vortex", "A disc in a vortex that turns back (Rider and Kothe)", false, grid::vortex},
-        ValidationCase{"grid", "sway", "Shallow water in a swaying tank (Bouscasse and others)", false, grid::sway},
-        ValidationCase{"grid", "rising_bubble", "A bubble rises (Hysing and others)", false, grid::rising_bubble},
-        ValidationCase{"grid", "regular_waves", "Regular waves come in, travel and go out", false, grid::regular_waves},
-        ValidationCase{"grid", "wave_propagation", "Regular waves keep their height over ten lengths", true,
-                       grid::wave_propagation},
-        ValidationCase{"grid", "run_up", "A solitary wave runs up a slope (Synolakis)", false, grid::run_up},
-        ValidationCase{"grid", "oscillating_cylinder", "A cylinder swings in viscous fluid: noise of its force", false,
-                       grid::oscillating_cylinder},
-        ValidationCase{"grid", "heave_decay", "A floating cylinder comes to rest (Ursell)", false, water::heave_decay},
-        ValidationCase{"grid", "cylinder_entry", "A cylinder falls into water (Greenhow and Lin)", false,
-                       water::cylinder_entry},
-        ValidationCase{"grid", "sinking_block", "A block sinks (Qiu and others)", true, water::sinking_block},
-    };
-    return cases;
-}
-
 std::span<const ValidationCase> ding_in_plane_cases() {
     static constexpr std::array cases{
         ValidationCase{"ding", "layer_thickness", "Turbulence over armour layers of four thicknesses", false,
@@ -174,7 +147,7 @@ std::span<const ValidationCase> all_cases() {
         std::vector<ValidationCase> all;
         for (const std::span<const ValidationCase> suite :
              {zhao_cases(), rigid_cases(), water_cases(), mikola_cases(), ding_in_space_cases(), mellado_cases(),
-              grid_cases(), ding_in_plane_cases()}) {
+              ding_in_plane_cases()}) {
             all.insert(all.end(), suite.begin(), suite.end());
         }
         const std::vector<ValidationCase> files = file_cases(all);

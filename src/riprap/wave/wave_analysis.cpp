@@ -114,29 +114,38 @@ std::array<double, 3> solve(const std::array<std::array<double, 3>, 3>& m, const
 
 }  // namespace
 
+void HarmonicSums::add(double angle, double elevation) {
+    if (std::isnan(elevation)) {
+        return;
+    }
+    const double c = std::cos(angle), s = std::sin(angle);
+    rows += 1;
+    cosine += c;
+    sine += s;
+    cosine_square += c * c;
+    product += c * s;
+    sine_square += s * s;
+    value += elevation;
+    with_cosine += c * elevation;
+    with_sine += s * elevation;
+}
+
+std::complex<double> HarmonicSums::amplitude() const {
+    const std::array<std::array<double, 3>, 3> normal{
+        {{rows, cosine, sine}, {cosine, cosine_square, product}, {sine, product, sine_square}}};
+    constexpr double share = 0.01;  // of the determinant of many whole periods, n^3/4
+    const std::array<double, 3> fit =
+        solve(normal, {value, with_cosine, with_sine}, std::max(1.0, share * 0.25 * rows * rows * rows));
+    return {fit[1], fit[2]};  // Re((a + ib) exp(-iwt)) = a cos wt + b sin wt
+}
+
 std::complex<double> harmonic(std::span<const double> time, std::span<const double> elevation,
                               double angular_frequency) {
-    std::array<std::array<double, 3>, 3> normal{};
-    std::array<double, 3> right{};
-    const std::size_t n = std::min(time.size(), elevation.size());
-    double rows = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (std::isnan(elevation[i])) {
-            continue;
-        }
-        rows += 1;
-        const double angle = angular_frequency * time[i];
-        const std::array<double, 3> base{1.0, std::cos(angle), std::sin(angle)};
-        for (std::size_t r = 0; r < 3; ++r) {
-            right[r] += base[r] * elevation[i];
-            for (std::size_t c = 0; c < 3; ++c) {
-                normal[r][c] += base[r] * base[c];
-            }
-        }
+    HarmonicSums sums;
+    for (std::size_t i = 0; i < std::min(time.size(), elevation.size()); ++i) {
+        sums.add(angular_frequency * time[i], elevation[i]);
     }
-    constexpr double share = 0.01;  // of the determinant of many whole periods, n^3/4
-    const std::array<double, 3> fit = solve(normal, right, std::max(1.0, share * 0.25 * rows * rows * rows));
-    return {fit[1], fit[2]};  // Re((a + ib) exp(-iwt)) = a cos wt + b sin wt
+    return sums.amplitude();
 }
 
 Separation separate_reflection(std::span<const double> place, std::span<const std::complex<double>> amplitude,

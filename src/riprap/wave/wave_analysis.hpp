@@ -38,6 +38,16 @@ struct WaveStatistics {
 /// @param time, elevation  equally long, time increasing [s], [m]
 WaveStatistics statistics_of(std::span<const double> time, std::span<const double> elevation);
 
+/// Sums of a record of which amplitude and phase of one frequency follow, row by row: see harmonic().
+struct HarmonicSums {
+    double rows{0}, cosine{0}, sine{0}, cosine_square{0}, product{0}, sine_square{0};  ///< [-]
+    double value{0}, with_cosine{0}, with_sine{0};                                     ///< [m]
+    /// A row; one that is not a number is left out.
+    /// @param angle  omega t [rad]
+    void add(double angle, double elevation);
+    std::complex<double> amplitude() const;
+};
+
 /// Amplitude and phase of one frequency in a record: a in eta = mean + Re(a exp(-i omega t)), by least squares for
 /// mean, cosine and sine, so that the record need not hold whole periods; rows that are not a number are left out [m].
 /// Not a number where the rows cannot tell the three apart: too few, or a multiple of half a period apart.

@@ -179,8 +179,21 @@ TEST(Gauge, the_water_in_a_box_has_its_volume_and_a_dry_place_reads_nothing) {
     EXPECT_EQ(tank.read(&surface_gauge, {3, 0.25, 0}, {3, 0.25, 1}), 0);
 }
 
+TEST(Gauge, the_water_in_a_box_has_its_middle_and_its_mean_velocity) {
+    for (const int dimension : {2, 3}) {
+        Tank tank(dimension);
+        for (std::size_t i = 0; i < tank.state.position.size(); ++i) {
+            tank.state.velocity[i] = {2 * tank.state.position[i].y, 0.5, 0};
+        }
+        EXPECT_NEAR(tank.read(&centre_gauge, {0.2, 0.1, 0}, {0.6, 0.3, 1}), 0.4, 1e-12);
+        EXPECT_NEAR(tank.read(&mean_velocity_gauge, {0.2, 0.1, 0}, {0.6, 0.3, 1}), 2 * 0.2, 1e-12);
+        EXPECT_EQ(tank.read(&centre_gauge, {3, 0, 0}, {4, 1, 1}), 0) << "no water";
+    }
+}
+
 TEST(Gauge, every_kind_is_found_by_its_name) {
-    for (const char* name : {"pressure", "velocity", "level", "surface", "run_up", "flow", "volume", "wall_pressure"}) {
+    for (const char* name : {"pressure", "velocity", "level", "surface", "run_up", "flow", "volume", "centre",
+                             "mean_velocity", "flow_error", "changed", "wall_pressure"}) {
         const GaugeKind* kind = find_gauge_kind(name);
         ASSERT_NE(kind, nullptr) << name;
         EXPECT_EQ(kind->word, name);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "riprap/coupling/grid_fluid/carried_water.hpp"
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/shapes.hpp"
 
@@ -20,7 +21,7 @@ geometry::Polyhedron fill_half_space(const GridFluidSettings& settings, const Ve
     Vec3 low{}, high{};
     for (int a = 0; a < 3; ++a) {
         const auto& edge = mesh.edge[at(a)];
-        const double beyond = a < mesh.box.axes ? settings.spacing : 0;
+        const double beyond = a < mesh.box.axes ? settings.stretch[a] * settings.spacing : 0;
         low[a] = edge.front() - beyond;
         high[a] = edge.back() + beyond;
     }
@@ -280,7 +281,14 @@ fluid::grid::GridState fill_grid(const GridFluidSettings& settings, const std::v
     fluid::grid::GridState state = fluid::grid::make_state(
         settings.grid, [](const Vec3&) { return 0.0; }, speed);
     state.fraction = std::move(share);
+    if (settings.scene.flow) {
+        set_flow_velocity(settings, 0, state.velocity);
+    }
     return state;
+}
+
+std::vector<double> water_at_start(const GridFluidSettings& settings) {
+    return fill_grid(settings, {}, cut_bodies(settings.grid.mesh, {}).open).fraction;
 }
 
 }  // namespace riprap::coupling

@@ -35,4 +35,7 @@ CutBodies cut_again(const FluidScene& scene, const GridFluidSettings& settings, 
 fluid::grid::GridState fill_grid(const GridFluidSettings& settings, const std::vector<GridBody>& bodies,
                                  const fluid::grid::OpenShares& open);
 
+/// Water fraction at the start where no body is in the water.
+std::vector<double> water_at_start(const GridFluidSettings& settings);
+
 }  // namespace riprap::coupling

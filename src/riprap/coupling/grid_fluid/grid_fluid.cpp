@@ -9,8 +9,10 @@
 #include "riprap/core/bytes.hpp"
 #include "riprap/coupling/added_mass.hpp"
 #include "riprap/coupling/cut_cells/side_facets.hpp"
+#include "riprap/coupling/grid_fluid/carried_water.hpp"
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
 #include "riprap/coupling/grid_fluid/pocket_pressure.hpp"
+#include "riprap/coupling/grid_fluid/sliding_sides.hpp"
 #include "riprap/fluid/grid/boundary.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/pressure.hpp"
@@ -210,7 +212,8 @@ double energy_through_sides(const GridSettings& settings, const GridState& state
 }  // namespace
 
 std::size_t GridFluid::Scratch::bytes() const {
-    return grid.bytes() + bytes_of(cut.facets, cut.near_faces, cut.nearest[0], cut.nearest[1], cut.nearest[2]);
+    return grid.bytes() + bytes_of(at_start) +
+           bytes_of(cut.facets, cut.near_faces, cut.nearest[0], cut.nearest[1], cut.nearest[2]);
 }
 
 GridFluid::GridFluid(const FluidScene& scene, const Settings& settings, const FluidState& state, Fields& fields,
@@ -232,6 +235,9 @@ GridFluid::GridFluid(const FluidScene& scene, const Settings& settings, const Fl
     scratch.cut = scratch.cutter->cut(scratch.bodies);
     if (is_new) {
         fields.water = fill_grid(settings, scratch.bodies, scratch.cut.open);
+    }
+    if (settings.is_carried) {
+        scratch.at_start = is_new ? fields.water.fraction : water_at_start(settings);
     }
     if (scene.bodies.size() > 0) {
         set_open_shares(settings.grid, fields.water, scratch.grid, std::move(scratch.cut.open));
@@ -270,6 +276,10 @@ Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const bo
     scratch_->iterations = 0;
     scratch_->before = read_energy(settings, water, s);
     scratch_->momentum_before = momentum_of(settings, water, s);
+    if (settings_->is_carried) {
+        carry_with_flow(*settings_, water, s, span.dt);
+        return {};
+    }
     scratch_->before.potential += lag_of(settings, scratch_->momentum_before, water.last_step, water.time);
     if (scratch_->cutter->moves()) {
         set_velocities(now, 0, scratch_->bodies);
@@ -291,6 +301,14 @@ Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const bo
 }
 
 void GridFluid::load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads) {
+    const auto count = at(scene_->bodies.size());
+    loads.pressure.clear(count, middle.deforms());
+    loads.viscous.clear(count, middle.deforms());
+    scratch_->power = 0;
+    if (settings_->is_carried) {
+        scratch_->loads.assign(count, {});
+        return;
+    }
     const GridSettings& settings = settings_->grid;
     GridScratch& s = scratch_->grid;
     const bool is_felt = settings_->coupling == GridCoupling::two_way;
@@ -310,10 +328,6 @@ void GridFluid::load(const TimeSpan& span, const body::Motion& middle, FluidLoad
         press_pockets(*scene_, *settings_, *coupling_, *scratch_, middle, span, scratch_->loads, fields_->water);
         scratch_->loads = find_loads();
     }
-    const auto count = at(scene_->bodies.size());
-    loads.pressure.clear(count, middle.deforms());
-    loads.viscous.clear(count, middle.deforms());
-    scratch_->power = 0;
     for (std::size_t b = 0; b < count; ++b) {
         const GridLoad& load = scratch_->loads[b];
         loads.pressure.force[b] = load.pressure;
@@ -334,7 +348,8 @@ Outcome GridFluid::kick(const TimeSpan& span, FluidStep& report) {
     const GridSettings& settings = settings_->grid;
     GridState& water = fields_->water;
     GridScratch& s = scratch_->grid;
-    const double through = energy_through_sides(settings, water, s, span.dt);
+    const double sliding = settings_->is_carried ? 0 : power_of_sliding_sides(settings, s) * span.dt;
+    const double through = energy_through_sides(settings, water, s, span.dt) + sliding;
     end_step(settings, water, s, span.dt);
     const fluid::grid::Energy& before = scratch_->before;
     fluid::grid::Energy after = read_energy(settings, water, s);
@@ -343,13 +358,16 @@ Outcome GridFluid::kick(const TimeSpan& span, FluidStep& report) {
                            work_of_half(settings, water, s, scratch_->bodies, scratch_->cut, span.dt, water.time);
     }
     const Vec3 momentum = momentum_of(settings, water, s);
-    after.potential += lag_of(settings, momentum, span.dt, water.time);
+    after.potential += settings_->is_carried ? 0 : lag_of(settings, momentum, span.dt, water.time);
     fluid::FluidReport& fluid = report.fluid;
     fluid.kinetic = 0.5 * (before.kinetic + after.kinetic);
     fluid.potential = 0.5 * (before.potential + after.potential);
     fluid.work_on_solids = span.dt * scratch_->power;
     // what bodies get of water that does not feel them comes from outside
     fluid.work_external = through + (settings_->coupling == GridCoupling::one_way ? fluid.work_on_solids : 0);
+    if (settings_->is_carried) {  // by what the case does not say
+        fluid.work_external = (after.kinetic + after.potential) - (before.kinetic + before.potential);
+    }
     report.own = {(before.kinetic + before.potential) - (after.kinetic + after.potential) - fluid.work_on_solids +
                   fluid.work_external};
     fluid.momentum = momentum;

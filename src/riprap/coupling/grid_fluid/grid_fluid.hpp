@@ -40,6 +40,7 @@ class GridFluid {
         std::optional<BodyCutter> cutter;
         std::vector<GridBody> bodies;
         CutBodies cut;
+        std::vector<double> at_start;  ///< water fraction then; empty where water is not carried [-]
         std::vector<PressedPocket> pressed;
         std::vector<double> feedback;  ///< added mass over mass of bodies, as far as they are wet [-]
         std::vector<GridLoad> loads;

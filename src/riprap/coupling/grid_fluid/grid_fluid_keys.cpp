@@ -17,6 +17,11 @@ MethodKeys<GridFluidSettings> GridFluidSettings::keys() {
         .help = "water and air on a grid of cells, incompressible, bodies cut out of the cells",
         .keys =
             {number(&S::spacing, "spacing", dimension::length, positive(), "Width of a cell.").required(),
+             vector(&S::stretch, "stretch", dimension::plain, between(1, 100),
+                    "Width of cells along x, y and z over `spacing`: long cells for long waves."),
+             number(&S::wall_narrowing, "wall_narrowing", dimension::plain, between(0, 0.9),
+                    "Cells beside both ends of the domain are narrower than `spacing` by this share, and those in the "
+                    "middle wider: faces at x - wall_narrowing L/(2 pi) sin(2 pi x/L). Without growth."),
              number(&S::growth, "growth", dimension::plain, between(1, 1.3),
                     "Width of a cell over that of its neighbour nearer to the box of fine_low and fine_high; 1: all "
                     "cells are equal."),
@@ -62,6 +67,9 @@ MethodKeys<GridFluidSettings> GridFluidSettings::keys() {
                  &S::pressure_corrections, "pressure_corrections", 1, 4,
                  "Pressures in a pass, each but the first after the explicit momentum has been found again with the "
                  "mean velocity of both ends of the step."),
+             boolean(&S::is_carried, "carried",
+                     "The water has the velocity of `flow` at all times: it is carried, and nothing acts on it. For "
+                     "schemes of the surface; without bodies in the water."),
              choice(&S::coupling, "coupling", {{"two_way", GridCoupling::two_way}, {"one_way", GridCoupling::one_way}},
                     "Water and bodies move each other; or water flows around bodies that stand where they start, and "
                     "bodies feel its pressure there."),
@@ -69,12 +77,16 @@ MethodKeys<GridFluidSettings> GridFluidSettings::keys() {
                     "Share of a cell that water crosses in a step, summed over axes."),
              number(&S::tolerance, "tolerance", dimension::plain, above(0, 0.01),
                     "Share of the initial residual of the pressure equation that a solve leaves.")},
-        .scene_keys = {"domain", "region", "wave", "porous", "sponge", "inflow", "outflow"},
+        .scene_keys = {"domain", "region", "flow", "side", "wave", "porous", "sponge", "inflow", "outflow"},
         .check = [](const S& s) {
             std::vector<KeyProblem> problems;
             if (s.growth > 1 && !(s.fine_low.x < s.fine_high.x && s.fine_low.y < s.fine_high.y)) {
                 problems.push_back({"growth", "cells grow away from a box that is not given",
                                     "fine_low below fine_high, or growth = 1"});
+            }
+            if (s.growth > 1 && s.wall_narrowing > 0) {
+                problems.push_back({"wall_narrowing", "cells that grow away from a box and narrow towards the sides",
+                                    "one of growth and wall_narrowing"});
             }
             if (s.coarsest && *s.coarsest < s.spacing) {
                 problems.push_back({"coarsest",

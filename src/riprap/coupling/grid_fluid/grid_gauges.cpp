@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/coupling/grid_fluid/carried_water.hpp"
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
@@ -23,7 +24,8 @@ struct Reader : fluid::WaterReader {
     const fluid::grid::GridState& water;
     const FaceGauge* wall;  ///< of a gauge in a face
     const fluid::grid::OpenShares& open;
-    const fluid::grid::Room* room;  ///< that `open` leaves, where it has been made
+    const fluid::grid::Room* room;                 ///< that `open` leaves, where it has been made
+    const std::vector<double>* at_start{nullptr};  ///< water fraction then, where the gauge asks for it
 
     Reader(const GaugeQuery<GridFluid>& query, const fluid::grid::OpenShares& left, const fluid::grid::Room* made)
         : settings(query.settings),
@@ -207,17 +209,103 @@ struct Reader : fluid::WaterReader {
         }
         return sum;
     }
+    /// Share of a cell that lies in a box.
+    double covered(const Vec3& low, const Vec3& high, const std::array<int, 3>& place) const {
+        double part = 1;
+        for (int a = 0; a < mesh().box.axes; ++a) {
+            const double from = mesh().edge[at(a)][at(place[at(a)])], h = mesh().h(a, place[at(a)]);
+            part *= std::max(0.0, std::min(high[a], from + h) - std::max(low[a], from)) / h;
+        }
+        return part;
+    }
     double volume(const Vec3& low, const Vec3& high) const override {
         return fluid::grid::reduce_cells(
             mesh().box, 0.0,
             [&](std::int64_t c, int i, int j, int k) {
-                const std::array<int, 3> place{i, j, k};
-                double covered = 1;
-                for (int a = 0; a < mesh().box.axes; ++a) {
-                    const double from = mesh().edge[at(a)][at(place[at(a)])], h = mesh().h(a, place[at(a)]);
-                    covered *= std::max(0.0, std::min(high[a], from + h) - std::max(low[a], from)) / h;
-                }
-                return covered * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k);
+                return covered(low, high, {i, j, k}) * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k);
+            },
+            fluid::grid::sum_of);
+    }
+    /// Mean over the water in a box of a vector of each cell, by volume; zero without water.
+    template <class Value>
+    Vec3 mean_of(const Vec3& low, const Vec3& high, const Value& value) const {
+        const double whole = volume(low, high);
+        const Vec3 sum = fluid::grid::reduce_cells(
+            mesh().box, Vec3{},
+            [&](std::int64_t c, int i, int j, int k) {
+                const double part =
+                    covered(low, high, {i, j, k}) * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k);
+                return part > 0 ? part * value(c, i, j, k) : Vec3{};
+            },
+            [](const Vec3& a, const Vec3& b) { return a + b; });
+        return whole > 0 ? sum / whole : Vec3{};
+    }
+    Vec3 centre(const Vec3& low, const Vec3& high) const override {
+        return mean_of(low, high, [&](std::int64_t, int i, int j, int k) { return mesh().centre(i, j, k); });
+    }
+    Vec3 mean_velocity(const Vec3& low, const Vec3& high) const override {
+        return mean_of(low, high, [&](std::int64_t c, int, int, int) {
+            Vec3 u{};
+            for (int a = 0; a < mesh().box.axes; ++a) {
+                const auto& v = water.velocity[at(a)];
+                u[a] = 0.5 * (v[at(c)] + v[at(c + mesh().box.stride[at(a)])]);
+            }
+            return u;
+        });
+    }
+    /// Squares of differences and their number.
+    struct Misfit {
+        double square{0}, count{0};
+    };
+    static Misfit both(const Misfit& a, const Misfit& b) { return {a.square + b.square, a.count + b.count}; }
+    /// Of the velocity across a face of a cell, where water lies on all sides of it that are in the domain.
+    Misfit misfit_at(int a, std::array<int, 3> place, const Vec3& low, const Vec3& high) const {
+        const auto& box = mesh().box;
+        Vec3 x{};
+        for (int b = 0; b < box.axes; ++b) {
+            x[b] = b == a ? mesh().edge[at(b)][at(place[at(b)])] : mesh().centre(b, place[at(b)]);
+            if (x[b] < low[b] || x[b] > high[b]) {
+                return {};
+            }
+        }
+        const std::int64_t f = box.index(place[0], place[1], place[2]);
+        for (const int beside : {place[at(a)] - 1, place[at(a)]}) {
+            const std::int64_t c = f + (beside - place[at(a)]) * box.stride[at(a)];
+            const bool is_cell = beside >= 0 && beside < box.cells[at(a)];
+            if (is_cell && (share(c) == 0 || water.fraction[at(c)] < 0.5)) {
+                return {};
+            }
+        }
+        const double error =
+            water.velocity[at(a)][at(f)] -
+            mean_across(mesh(), *settings.scene.flow, settings.kinematic_viscosity, a, place, water.time);
+        return {error * error, 1};
+    }
+    Vec3 flow_error(const Vec3& low, const Vec3& high) const override {
+        if (!settings.scene.flow) {
+            return {unknown, unknown, unknown};
+        }
+        Vec3 error{};
+        for (int a = 0; a < mesh().box.axes; ++a) {
+            const Misfit all = fluid::grid::reduce_cells(
+                mesh().box, Misfit{},
+                [&](std::int64_t, int i, int j, int k) {
+                    std::array<int, 3> place{i, j, k};
+                    const Misfit below = misfit_at(a, place, low, high);
+                    place[at(a)] += 1;
+                    return place[at(a)] < mesh().box.cells[at(a)] ? below : both(below, misfit_at(a, place, low, high));
+                },
+                both);
+            error[a] = all.count > 0 ? std::sqrt(all.square / all.count) : 0;
+        }
+        return error;
+    }
+    double changed(const Vec3& low, const Vec3& high) const override {
+        return fluid::grid::reduce_cells(
+            mesh().box, 0.0,
+            [&](std::int64_t c, int i, int j, int k) {
+                return covered(low, high, {i, j, k}) * share(c) * std::abs(water.fraction[at(c)] - (*at_start)[at(c)]) *
+                       mesh().volume(i, j, k);
             },
             fluid::grid::sum_of);
     }
@@ -250,8 +338,14 @@ fluid::GaugeReading GridFluid::read(const GaugeQuery<GridFluid>& query) {
     if (!is_ready && query.scene.bodies.size() > 0) {
         anew = cut_again(query.scene, query.settings, query.fields).open;
     }
-    return query.gauge.kind->read(
-        query.gauge, Reader(query, is_ready ? scratch->grid.open : anew, is_ready ? &scratch->grid.room : nullptr));
+    Reader reader(query, is_ready ? scratch->grid.open : anew, is_ready ? &scratch->grid.room : nullptr);
+    std::vector<double> filled;
+    if ((query.gauge.kind->needs & fluid::reading::changed) != 0) {
+        const bool is_kept = is_ready && !scratch->at_start.empty();
+        filled = is_kept ? std::vector<double>{} : water_at_start(query.settings);
+        reader.at_start = is_kept ? &scratch->at_start : &filled;
+    }
+    return query.gauge.kind->read(query.gauge, reader);
 }
 
 fluid::grid::ShownWater GridFluid::shown(const FluidScene& scene, const Settings& settings, const Fields& fields) {

@@ -32,6 +32,10 @@ Outcome mass_outcome(const FluidScene& scene, const GridFluidSettings& settings,
 /// its own table. The view lasts as long as the program: a KeyProblem keeps no text of its own for its key.
 std::string_view entry_key(std::string_view list, std::size_t entry);
 
+/// Walls that slide, or of another kind than the others, and sides without a wall. Returns rules that contradict each
+/// other, and a flow that the water cannot follow.
+std::vector<KeyProblem> add_sides(GridFluidSettings& settings);
+
 /// Sides that waves come in through and go out. Returns waves that no theory has or that the cells do not resolve.
 std::vector<KeyProblem> add_waves(GridFluidSettings& settings);
 

@@ -33,25 +33,41 @@ std::vector<double> growing_widths(double length, double spacing, double growth,
     return widths;
 }
 
+/// Faces of cells that are narrower beside both ends, by a share of their mean width.
+std::vector<double> narrowing_edges(double low, double high, double spacing, double share) {
+    const int cells = std::max(1, static_cast<int>(std::lround((high - low) / spacing)));
+    std::vector<double> edges{low};
+    for (int i = 1; i < cells; ++i) {
+        const double turn = 2 * M_PI * i / cells;
+        edges.push_back(low + (high - low) * (static_cast<double>(i) / cells - share / (2 * M_PI) * std::sin(turn)));
+    }
+    edges.push_back(high);
+    return edges;
+}
+
 /// Faces of cells along an axis: equal cells in the fine box, growing ones beyond.
-std::vector<double> edges_along(const GridFluidSettings& settings, double low, double high, double fine_low,
-                                double fine_high) {
-    const double coarsest = settings.coarsest.value_or(1e300);
+/// @param spacing  width of a cell of the fine box along the axis [m]
+std::vector<double> edges_along(const GridFluidSettings& settings, double spacing, double low, double high,
+                                double fine_low, double fine_high) {
+    if (settings.wall_narrowing > 0) {
+        return narrowing_edges(low, high, spacing, settings.wall_narrowing);
+    }
+    const double coarsest = settings.coarsest.value_or(1e300) * (spacing / settings.spacing);
     const bool grows = settings.growth > 1;
     const double from = grows ? std::clamp(fine_low, low, high) : low,
                  to = grows ? std::clamp(fine_high, low, high) : high;
     std::vector<double> edges{low};
-    std::vector<double> before = growing_widths(from - low, settings.spacing, settings.growth, coarsest);
+    std::vector<double> before = growing_widths(from - low, spacing, settings.growth, coarsest);
     std::reverse(before.begin(), before.end());
     for (const double width : before) {
         edges.push_back(edges.back() + width);
     }
     edges.back() = from;
-    const int cells = to > from ? std::max(1, static_cast<int>(std::lround((to - from) / settings.spacing))) : 0;
+    const int cells = to > from ? std::max(1, static_cast<int>(std::lround((to - from) / spacing))) : 0;
     for (int i = 1; i <= cells; ++i) {
         edges.push_back(from + (to - from) * i / cells);
     }
-    for (const double width : growing_widths(high - to, settings.spacing, settings.growth, coarsest)) {
+    for (const double width : growing_widths(high - to, spacing, settings.growth, coarsest)) {
         edges.push_back(edges.back() + width);
     }
     edges.back() = high;
@@ -73,15 +89,15 @@ std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     const fluid::Domain& domain = scene.domain;
     double cells = 1;
     for (int a = 0; a < domain.dimension; ++a) {
-        const double length = domain.high[a] - domain.low[a];
-        cells *= growth > 1 ? 1 : length / spacing;
+        const double length = domain.high[a] - domain.low[a], width = stretch[a] * spacing;
+        cells *= growth > 1 ? 1 : length / width;
         if (domain.is_periodic[at(a)]) {
             problems.push_back({"domain", "a periodic domain with method = \"grid\"", "walls or an open top"});
         }
-        if (length < 4 * spacing) {
+        if (length < 4 * width) {
             problems.push_back({"spacing",
                                 fmt::format("the domain is {:.4g} m long along {}, {:.3g} cells of {:.4g} m", length,
-                                            "xyz"[a], length / spacing, spacing),
+                                            "xyz"[a], length / width, width),
                                 "four cells at least: a smaller spacing or a larger domain"});
         }
     }
@@ -95,9 +111,9 @@ std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     }
     std::array<std::vector<double>, 3> edges{};
     for (int a = 0; a < 3; ++a) {
-        edges[at(a)] = a < domain.dimension
-                           ? edges_along(*this, domain.low[a], domain.high[a], fine_low[a], fine_high[a])
-                           : std::vector<double>{-0.5, 0.5};
+        edges[at(a)] = a < domain.dimension ? edges_along(*this, stretch[a] * spacing, domain.low[a], domain.high[a],
+                                                          fine_low[a], fine_high[a])
+                                            : std::vector<double>{-0.5, 0.5};
     }
     grid.mesh = fluid::grid::Mesh(edges, domain.dimension);
     grid.water = {rest_density, kinematic_viscosity};
@@ -125,7 +141,10 @@ std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     grid.pressure_corrections = pressure_corrections;
     grid.courant = courant;
     grid.tolerance = tolerance;
-    problems = add_waves(*this);
+    problems = add_sides(*this);
+    for (KeyProblem& problem : add_waves(*this)) {
+        problems.push_back(std::move(problem));
+    }
     for (const auto add : {add_openings, add_zones}) {
         for (KeyProblem& problem : add(*this)) {
             problems.push_back(std::move(problem));

@@ -34,6 +34,8 @@ struct GridFluidSettings {
     static MethodKeys<GridFluidSettings> keys();
 
     double spacing{0};               ///< width of a cell [m]
+    Vec3 stretch{1, 1, 1};           ///< width of cells along each axis over `spacing` [-]
+    double wall_narrowing{0};        ///< cells at both ends of the domain are narrower by this share of their mean [-]
     double growth{1};                ///< width of a cell over that of its neighbour nearer to the fine box [-]
     Vec3 fine_low{}, fine_high{};    ///< box of cells of `spacing`, where others grow [m]
     std::optional<double> coarsest;  ///< widest cell [m]
@@ -46,6 +48,7 @@ struct GridFluidSettings {
     double compression{1}, courant{0.45}, tolerance{1e-5};
     int outer_corrections{1}, pressure_corrections{1};
     GridCoupling coupling{GridCoupling::two_way};
+    bool is_carried{false};  ///< the velocity is that of FieldScene::flow at all times
 
     FieldScene scene;                ///< where the fluid is
     fluid::grid::GridSettings grid;  ///< made of all of the above by `prepare`

@@ -65,7 +65,7 @@ class ParticleMethod {
     /// Returns the share of each body's mass that its walls feed back to the loads: the bodies whose accelerations have
     /// to be iterated [-].
     std::span<const double> feedback() const { return scratch_->bodies.kappa; }
-    static constexpr unsigned offers = fluid::reading::all;
+    static constexpr unsigned offers = fluid::reading::of_particles;
     /// Reads a gauge; nothing before the first step for one on a face.
     static fluid::GaugeReading read(const GaugeQuery<ParticleMethod>& query);
 

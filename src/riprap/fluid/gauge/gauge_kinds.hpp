@@ -78,6 +78,52 @@ inline constexpr GaugeKind volume_gauge{"volume",
                                             return {water.volume(gauge.point, gauge.end)};
                                         }};
 
+inline constexpr GaugeKind centre_gauge{"centre",
+                                        "m",
+                                        3,
+                                        GaugeExtent::box,
+                                        reading::centre,
+                                        "mean place of the water in the box between point and end",
+                                        [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+                                            const Vec3 x = water.centre(gauge.point, gauge.end);
+                                            return {x.x, x.y, x.z};
+                                        }};
+
+inline constexpr GaugeKind mean_velocity_gauge{"mean_velocity",
+                                               "m/s",
+                                               3,
+                                               GaugeExtent::box,
+                                               reading::mean_velocity,
+                                               "of the water in the box between point and end, by volume",
+                                               [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+                                                   const Vec3 u = water.mean_velocity(gauge.point, gauge.end);
+                                                   return {u.x, u.y, u.z};
+                                               }};
+
+inline constexpr GaugeKind flow_error_gauge{
+    "flow_error",
+    "m/s",
+    3,
+    GaugeExtent::box,
+    reading::flow_error,
+    "velocity of the water less that of fluid.flow at the time: root of the mean square of each component over the "
+    "faces of cells in the box between point and end",
+    [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+        const Vec3 u = water.flow_error(gauge.point, gauge.end);
+        return {u.x, u.y, u.z};
+    }};
+
+inline constexpr GaugeKind changed_gauge{
+    "changed",
+    "m^3",
+    1,
+    GaugeExtent::box,
+    reading::changed,
+    "volume in the box between point and end that has got water since the start, and that has lost it, added up",
+    [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+        return {water.changed(gauge.point, gauge.end)};
+    }};
+
 inline constexpr GaugeKind wall_pressure_gauge{
     "wall_pressure",
     "Pa",
@@ -89,7 +135,8 @@ inline constexpr GaugeKind wall_pressure_gauge{
     [](const Gauge& /*gauge*/, const WaterReader& water) -> GaugeReading { return {water.wall_pressure()}; }};
 
 /// Every kind, in the order of the manual.
-inline constexpr std::array all_gauges{&pressure_gauge, &velocity_gauge, &level_gauge,  &surface_gauge,
-                                       &run_up_gauge,   &flow_gauge,     &volume_gauge, &wall_pressure_gauge};
+inline constexpr std::array all_gauges{&pressure_gauge,      &velocity_gauge,   &level_gauge,   &surface_gauge,
+                                       &run_up_gauge,        &flow_gauge,       &volume_gauge,  &centre_gauge,
+                                       &mean_velocity_gauge, &flow_error_gauge, &changed_gauge, &wall_pressure_gauge};
 
 }  // namespace riprap::fluid

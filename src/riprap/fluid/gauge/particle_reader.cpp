@@ -194,17 +194,36 @@ double ParticleReader::flow(const Vec3& low, const Vec3& high) const {
 
 double ParticleReader::volume(const Vec3& low, const Vec3& high) const {
     const double rest_volume = settings_.particle_mass / settings_.rest_density;
-    const PeriodicImages images(settings_.domain);
     double sum = 0;
     for (std::size_t j = 0; j < state_.position.size(); ++j) {
-        const auto is_in = [&](const Vec3& shift) {
-            return is_between(state_.position[j] + shift, low, high, -1, settings_.domain.dimension);
-        };
-        if (std::any_of(images.shifts().begin(), images.shifts().end(), is_in)) {
-            sum += rest_volume;
-        }
+        sum += is_inside(j, low, high) ? rest_volume : 0;
     }
     return sum;
+}
+
+bool ParticleReader::is_inside(std::size_t particle, const Vec3& low, const Vec3& high) const {
+    const PeriodicImages images(settings_.domain);
+    return std::any_of(images.shifts().begin(), images.shifts().end(), [&](const Vec3& shift) {
+        return is_between(state_.position[particle] + shift, low, high, -1, settings_.domain.dimension);
+    });
+}
+
+Vec3 ParticleReader::mean_of(const std::vector<Vec3>& field, const Vec3& low, const Vec3& high) const {
+    Vec3 sum{};
+    double count = 0;
+    for (std::size_t j = 0; j < state_.position.size(); ++j) {
+        if (is_inside(j, low, high)) {
+            sum += field[j];
+            count += 1;
+        }
+    }
+    return count > 0 ? sum / count : sum;
+}
+
+Vec3 ParticleReader::centre(const Vec3& low, const Vec3& high) const { return mean_of(state_.position, low, high); }
+
+Vec3 ParticleReader::mean_velocity(const Vec3& low, const Vec3& high) const {
+    return mean_of(state_.velocity, low, high);
 }
 
 GaugeReading read_gauge(const Gauge& gauge, const ParticleSettings& settings, const ParticleState& state) {

@@ -16,6 +16,7 @@ namespace riprap::fluid {
 /// distances and B a cubic B-spline one spacing wide: it sees spray and voids as a capacitance gauge does. Within two
 /// spacings of a side wall it reads too little. surface, run_up: the fraction sum_j V_j W crosses one half.
 /// flow: sum_j V_j (v_j . n) B(s_j), s_j the distance from the plane, over the particles beside the rectangle.
+/// centre, mean_velocity: means over the particles, a place as the State has it on a periodic axis.
 ///
 /// Across periodic sides a particle counts where its image lies: the nearest one for sums about a place, all of them
 /// for the column of `level`, any one of them, once, for `flow` and `volume`.
@@ -29,8 +30,13 @@ class ParticleReader : public WaterReader {
     double run_up(const Vec3& start, const Vec3& end) const override;
     double flow(const Vec3& low, const Vec3& high) const override;
     double volume(const Vec3& low, const Vec3& high) const override;
+    Vec3 centre(const Vec3& low, const Vec3& high) const override;
+    Vec3 mean_velocity(const Vec3& low, const Vec3& high) const override;
 
  private:
+    bool is_inside(std::size_t particle, const Vec3& low, const Vec3& high) const;
+    /// Mean of a field over the particles in a box; zero without any.
+    Vec3 mean_of(const std::vector<Vec3>& field, const Vec3& low, const Vec3& high) const;
     const ParticleSettings& settings_;
     const ParticleState& state_;
 };

@@ -10,7 +10,8 @@ namespace riprap::fluid {
 /// Readings of the water, as bits: those that a kind of gauge needs, and those that a fluid offers.
 namespace reading {
 inline constexpr unsigned pressure = 1, velocity = 2, level = 4, surface = 8, run_up = 16, flow = 32, volume = 64,
-                          wall_pressure = 128, none = 0, all = 255;
+                          wall_pressure = 128, centre = 256, mean_velocity = 512, flow_error = 1024, changed = 2048,
+                          none = 0, all = 4095, of_particles = all & ~(flow_error | changed);
 }  // namespace reading
 
 /// The water of any fluid at one moment, as instruments read it: SI, in the world. A fluid overrides the readings that
@@ -32,6 +33,14 @@ class WaterReader {
     virtual double flow(const Vec3& /*low*/, const Vec3& /*high*/) const { return unknown; }
     /// Of the water in a box [m^3], in 2D [m^2].
     virtual double volume(const Vec3& /*low*/, const Vec3& /*high*/) const { return unknown; }
+    /// Mean place of the water in a box [m].
+    virtual Vec3 centre(const Vec3& /*low*/, const Vec3& /*high*/) const { return {unknown, unknown, unknown}; }
+    /// Mean velocity of the water in a box [m/s].
+    virtual Vec3 mean_velocity(const Vec3& /*low*/, const Vec3& /*high*/) const { return {unknown, unknown, unknown}; }
+    /// Root of the mean square of each component of the velocity less that of the flow of the case, in a box [m/s].
+    virtual Vec3 flow_error(const Vec3& /*low*/, const Vec3& /*high*/) const { return {unknown, unknown, unknown}; }
+    /// Volume in a box that has got water since the start, and that has lost it [m^3], in 2D [m^2].
+    virtual double changed(const Vec3& /*low*/, const Vec3& /*high*/) const { return unknown; }
     /// On the face of the gauge that is read: force over area in the last step [Pa].
     virtual double wall_pressure() const { return unknown; }
 

@@ -59,7 +59,7 @@ MethodKeys<MpsSettings> MpsSettings::keys() {
                         "Steps between sorts of the particles by place: part of the result, as sums follow the "
                         "order.")} +
             pressure_keys(),
-        .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "sponge",
+        .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "flow", "sponge",
                        "inflow", "outflow"}};
 }
 

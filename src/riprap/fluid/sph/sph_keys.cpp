@@ -80,8 +80,8 @@ MethodKeys<SphSettings> SphSettings::keys() {
     return {.help = "smoothed particle hydrodynamics, weakly compressible",
             .keys = particle_keys<S>() + scheme_keys() + chosen(&S::viscosity, "viscosity", "Viscosity of the water") +
                     particle_order_keys(),
-            .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "sponge",
-                           "inflow", "outflow"},
+            .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "flow",
+                           "sponge", "inflow", "outflow"},
             .check = problems_of};
 }
 

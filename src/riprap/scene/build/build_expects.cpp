@@ -84,6 +84,18 @@ bool is_along_profile(const Value& table) {
     return curve != nullptr && get_text(*curve, "along") == sim::along_profile;
 }
 
+/// Reads the waves of reduce = "incident" and "reflection".
+void read_waves(CaseBuild& build, const Value& table, sim::Expect& expect) {
+    const Value* waves = table.find("waves");
+    if (sim::is_of_waves(expect.reduce) != (waves != nullptr)) {
+        build.problem(waves != nullptr ? waves->place : table.place,
+                      "'waves' goes with reduce = \"incident\" and \"reflection\"", "give both or none");
+    } else if (waves != nullptr) {
+        expect.wave_period = get_number(*waves, "period");
+        expect.wave_length = get_number(*waves, "length");
+    }
+}
+
 /// Tells whether the quantity of an expected answer is a profile as long as the points of its curve; adds a problem
 /// otherwise.
 bool check_profile(CaseBuild& build, const sim::Expect& expect, const SourcePlace& place) {
@@ -254,6 +266,7 @@ void read_expect(CaseBuild& build, const Value& table) {
     read_window(build, table, expect);
     const Value* when = table.find("when");
     read_level(build, table, expect);
+    read_waves(build, table, expect);
     expect.minus = earlier_answer(build, table, "minus");
     expect.over = earlier_answer(build, table, "over");
     if (!read_band(build, table, expect) || !read_curve(build, table, expect)) {
@@ -261,13 +274,12 @@ void read_expect(CaseBuild& build, const Value& table) {
     }
     const Value* relative_to = table.find("relative_to");
     expect.relative_to = relative_to != nullptr ? relative_to->text : "";
-    if (relative_to != nullptr && is_along_profile(table)) {
-        build.problem(relative_to->place, "'relative_to' says nothing beside a curve along = \"place\"",
-                      "leave it out");
+    const bool is_of_profile = is_along_profile(table) || sim::is_of_waves(expect.reduce);
+    if (relative_to != nullptr && is_of_profile) {
+        build.problem(relative_to->place, "'relative_to' says nothing of a profile", "leave it out");
     }
-    const bool has_quantity = is_along_profile(table)
-                                  ? check_profile(build, expect, get(table, "quantity").place)
-                                  : check_column(build, expect.quantity, get(table, "quantity").place);
+    const bool has_quantity = is_of_profile ? check_profile(build, expect, get(table, "quantity").place)
+                                            : check_column(build, expect.quantity, get(table, "quantity").place);
     const bool has_trigger = when == nullptr || check_column(build, expect.when, when->place);
     const bool has_other = relative_to == nullptr || check_column(build, expect.relative_to, relative_to->place);
     const Value* curve = table.find("curve");

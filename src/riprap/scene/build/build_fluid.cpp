@@ -155,6 +155,16 @@ double check_filling(CaseBuild& build, const Value& list, const coupling::Fillin
     return room;
 }
 
+/// Gives the particles the velocity of the flow that the case names.
+void start_flow(const Value& table, fluid::ParticleState& particles) {
+    if (const std::optional<fluid::Flow> flow = read_flow(table)) {
+        const double viscosity = get_number_or(table, "kinematic_viscosity", 0);
+        for (std::size_t i = 0; i < particles.position.size(); ++i) {
+            particles.velocity[i] = velocity_of(*flow, particles.position[i], 0, viscosity);
+        }
+    }
+}
+
 /// Builds a fluid of particles: their places at the start, their walls, inflow and outflow.
 void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings scheme) {
     if (build.model.time.settle > 0) {
@@ -191,6 +201,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     if (filling.particles.size() == 0) {
         return;
     }
+    start_flow(*table, filling.particles);
     choose_sound_speed(build, *table, regions, filling.particles, fluid);
     coupling::set_hydrostatic_density(filling, fluid.settings(),
                                       fluid::without_periodic(build.model.gravity.at(0), fluid.settings().domain));

@@ -118,10 +118,30 @@ void warn_of_cover(CaseBuild& build, const coupling::FaceGauge& face, const flui
     }
 }
 
+/// Refuses gauges that compare the water with what the case does not say: a flow, or a start that no body shares.
+void check_flow_gauge(CaseBuild& build, const Value& table, const fluid::GaugeKind& kind) {
+    const Value* water = build.root.find("fluid");
+    const bool has_flow = water != nullptr && water->find("flow") != nullptr;
+    if ((kind.needs & fluid::reading::flow_error) != 0 && !has_flow) {
+        build.problem(get(table, "kind").place,
+                      fmt::format("the gauge '{}' compares the water with a flow that the case does not name",
+                                  get_text(table, "name")),
+                      "fluid.flow, or another kind");
+    }
+    const bool has_wet_body = std::find(build.is_dry.begin(), build.is_dry.end(), 0) != build.is_dry.end();
+    if ((kind.needs & fluid::reading::changed) != 0 && has_wet_body) {
+        build.problem(get(table, "kind").place,
+                      fmt::format("the gauge '{}' compares the water with the start, which bodies were in",
+                                  get_text(table, "name")),
+                      "a case without bodies in the water, or another kind");
+    }
+}
+
 /// Refuses a kind of gauge that means nothing in the fluid of the case.
 void check_kind(CaseBuild& build, const Value& table, const fluid::GaugeKind& kind) {
     const sim::Model& model = build.model;
     if (!model.has_fluid() || sim::reads_gauge(model, kind)) {
+        check_flow_gauge(build, table, kind);
         return;
     }
     std::vector<std::string_view> kinds;

@@ -8,6 +8,7 @@
 #include "riprap/scene/build/fluid_tables.hpp"
 #include "riprap/scene/build/sea_tables.hpp"
 #include "riprap/scene/build/wave_range.hpp"
+#include "riprap/scene/keys/flow_tables.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
 #include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/wave/linear_wave.hpp"
@@ -138,6 +139,17 @@ bool read_outflow(CaseBuild& build, const Value& table, coupling::OpenSide& open
     return read_open_side(build, table, false, opening);
 }
 
+bool read_side(CaseBuild& build, const Value& table, coupling::SideRule& rule) {
+    const Way way = get_word(table, "side", ways());
+    if (way.axis == 2 && build.is_planar) {
+        build.problem(get(table, "side").place, "a side out of the plane", "\"x\", \"-x\", \"y\" or \"-y\"");
+        return false;
+    }
+    rule = {2 * way.axis + (way.is_towards_high ? 1 : 0), get_word(table, "kind", side_kinds()),
+            get_vector(table, "velocity")};
+    return true;
+}
+
 /// Pieces of a zone: what a file holds may be of any form, unlike the convex parts of bodies.
 std::optional<std::vector<geometry::Polyhedron>> read_zone(CaseBuild& build, const Value& table) {
     const Value* shape = table.find("shape");
@@ -215,12 +227,14 @@ bool read_list(CaseBuild& build, const Value& table, std::string_view name, std:
 }  // namespace
 
 bool read_field_tables(CaseBuild& build, const Value& table, coupling::FieldScene& scene) {
+    scene.flow = read_flow(table);
+    const bool has_sides = read_list(build, table, "side", scene.sides, read_side);
     const bool has_waves = read_list(build, table, "wave", scene.waves, read_wave);
     const bool has_inflows = read_list(build, table, "inflow", scene.openings, read_inflow);
     const bool has_outflows = read_list(build, table, "outflow", scene.openings, read_outflow);
     const bool has_stones = read_list(build, table, "porous", scene.stones, read_stones);
-    return read_list(build, table, "sponge", scene.calm, read_calm) && has_waves && has_stones && has_inflows &&
-           has_outflows;
+    return read_list(build, table, "sponge", scene.calm, read_calm) && has_sides && has_waves && has_stones &&
+           has_inflows && has_outflows;
 }
 
 }  // namespace riprap::scene

@@ -12,6 +12,7 @@
 #include "riprap/geometry/clip.hpp"
 #include "riprap/geometry/shapes.hpp"
 #include "riprap/scene/build/placed_part.hpp"
+#include "riprap/scene/keys/bound_keys.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/shapes/shape_library.hpp"
@@ -68,6 +69,20 @@ std::optional<std::vector<geometry::Polyhedron>> read_pieces(CaseBuild& build, c
         }
     }
     return found;
+}
+
+std::optional<fluid::Flow> read_flow(const Value& table) {
+    std::optional<fluid::Flow> flow;
+    if (const Value* given = table.find("flow")) {
+        fluid::FlowLaws::for_each([&]<class Law>() {
+            if (const Value* said = given->find(Law::word)) {
+                Law law;
+                read_keys(*said, Law::keys(), law);
+                flow = law;
+            }
+        });
+    }
+    return flow;
 }
 
 bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain) {

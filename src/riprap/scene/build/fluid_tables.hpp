@@ -12,6 +12,9 @@
 
 namespace riprap::scene {
 
+/// The flow that fluid.flow names; nothing where `table`, that of the fluid, has none.
+std::optional<fluid::Flow> read_flow(const Value& table);
+
 /// The domain in `table`. False with a problem.
 bool read_domain(CaseBuild& build, const Value& table, fluid::Domain& domain);
 

@@ -22,8 +22,12 @@ double rim_of(const CaseBuild& build, std::size_t body) {
 }
 
 /// The fastest that the case itself makes something move [m/s].
-double fastest_start(const CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions) {
+double fastest_start(const CaseBuild& build, const Value& table, const std::vector<coupling::FillRegion>& regions,
+                     const fluid::ParticleState& particles) {
     double fastest = 0;
+    for (const Vec3& velocity : particles.velocity) {  // of a flow
+        fastest = std::max(fastest, norm(velocity));
+    }
     for (const char* openings : {"inflow", "outflow"}) {
         for (const Value& opening : get(table, openings).items) {
             fastest = std::max(fastest, get_number_or(opening, "speed", 0));
@@ -72,7 +76,7 @@ void choose_sound_speed(CaseBuild& build, const Value& table, const std::vector<
     const double tip = 2 * std::sqrt(strength * fluid.depth);
     const fluid::SoundSpeed chosen = fluid::choose_sound_speed(
         strength, fluid.depth,
-        std::max(expected.is_text() ? tip : expected.as_number(), fastest_start(build, table, regions)));
+        std::max(expected.is_text() ? tip : expected.as_number(), fastest_start(build, table, regions, particles)));
     fluid.settings().sound_speed = chosen.value;
     fluid.sound_speed_reason = chosen.reason;
     if (!(chosen.value > 0) && build.has_all_bodies) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: water.
+#include "riprap/scene/keys/flow_tables.hpp"
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
@@ -174,6 +175,8 @@ std::vector<Key> scene_rows() {
                "break, 2 sqrt(g H)."),
         required_key("domain", {form::table(fluid_domain_table)}, "Box that water may be in."),
         required_key("region", {table_list(fluid_region_table, 1)}, "Water at the start."),
+        optional_key("flow", {form::table(flow_table)}, "Velocity of the water at the start by a formula."),
+        key_or("side", {table_list(side_table)}, Value::array(), "Sides of the domain that are not as the others."),
         key_or("levels", {list(list(number(dimension::plain), 2, 2), 0, 10'000)}, Value::array(),
                "Pairs of a time [s] and the level of the water then [m], in rising order of time: linear between them "
                "and constant beyond. Each region keeps its own level where none are given."),

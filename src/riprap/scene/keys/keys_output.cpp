@@ -140,6 +140,17 @@ const Table& curve_table() {
     return table;
 }
 
+const Table& waves_table() {
+    static const Table table{
+        "expect.waves",
+        "waves = { ... }",
+        "The regular waves that reduce = \"incident\" and \"reflection\" look for in a profile of gauges along their "
+        "way.",
+        {required_key("period", {number(dimension::time, positive())}, "Period."),
+         required_key("length", {number(dimension::length, positive())}, "Wave length, of the theory.")}};
+    return table;
+}
+
 const Table& damage_table() {
     static const Table table{
         "output.damage",
@@ -204,7 +215,10 @@ const Table& expect_table() {
           "between two passages of the level `reaches` in one direction. rms, "
           "mean_error, worst: root of the mean square, mean size and largest size of the differences from the points "
           "of "
-          "`curve`.",
+          "`curve`. noise: the largest difference of a step from the cubic through the two steps before and the two "
+          "after it, over the largest size; for equal steps. incident, reflection: amplitude of the `waves` that run "
+          "along a profile from its first gauge on, and of those that come back over it, by least squares "
+          "(docs/theory/waves.md).",
           Value::of("last")},
          {"relative_to",
           {text()},
@@ -219,6 +233,7 @@ const Table& expect_table() {
           {}},
          {"over", {text()}, "Name of an earlier [[expect]] by whose value the result is divided, after `minus`.", {}},
          {"curve", {form::table(curve_table)}, "Points for reduce = \"rms\", \"mean_error\" and \"worst\".", {}},
+         {"waves", {form::table(waves_table)}, "Waves for reduce = \"incident\" and \"reflection\".", {}},
          {"from",
           {number(dimension::time, non_negative())},
           "Steps before this time do not count; not for at. With when, the level is passed after it. The start when "
