@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/validation/water/heaving_cylinder.hpp"
+#include "heaving_cylinder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -43,12 +43,7 @@ std::span<const ValidationCase> rigid_cases() {
 
 std::span<const ValidationCase> water_cases() {
     static constexpr std::array cases{
-        ValidationCase{"water", "standing_wave", "Period of a standing wave", false, water::standing_wave},
-        ValidationCase{"water", "elliptic_drop", "A drop that stretches freely", false, water::elliptic_drop},
-        ValidationCase{"water", "wave_run_up", "Regular waves run up a smooth slope (Hunt; Seelig)", true,
-                       water::wave_run_up},
         ValidationCase{"water", "taylor_green", "Vortices die by viscosity", false, water::taylor_green},
-        ValidationCase{"water", "viscous_wave", "A standing wave dies by viscosity", false, water::viscous_wave},
     };
     return cases;
 }

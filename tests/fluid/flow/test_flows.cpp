@@ -10,8 +10,10 @@ namespace riprap::fluid {
 namespace {
 
 const std::vector<Flow>& flows() {
-    static const std::vector<Flow> all{TaylorGreenFlow{1.3, 2.5}, KovasznayFlow{0.7, 1.2},
-                                       RotationFlow{{0.2, -0.4, 0}, 1.7}, VortexFlow{{-0.3, 0.1, 0}, 1.4, 0.9, 3}};
+    static const std::vector<Flow> all{
+        TaylorGreenFlow{1.3, 2.5},         KovasznayFlow{0.7, 1.2},
+        RotationFlow{{0.2, -0.4, 0}, 1.7}, VortexFlow{{-0.3, 0.1, 0}, 1.4, 0.9, 3},
+        StrainFlow{{0.1, -0.2, 0}, 1.1},   StandingWaveFlow{{0.1, -0.4, 0}, 0.8, 3.1, 1.2, 1.7}};
     return all;
 }
 
@@ -51,11 +53,11 @@ double vorticity_residual(const Flow& flow, const Vec3& x, double t, double nu) 
            nu * (right + left + above + below - 4 * w) / (h * h);
 }
 
-// The last one is no flow of a fluid: it tells that the residual of the others is small.
+// The vortex is no flow of a fluid: it tells that the residual of the others is small.
 TEST(Flows, ViscousFlowsSolveTheEquationOfVorticity) {
     constexpr double nu = 0.02, t = 0.4;
     for (const Vec3& x : places) {
-        for (const std::size_t flow : {0U, 1U, 2U}) {
+        for (const std::size_t flow : {0U, 1U, 2U, 4U, 5U}) {
             EXPECT_NEAR(vorticity_residual(flows()[flow], x, t, nu), 0, 2e-3) << flow;
         }
         EXPECT_GT(std::abs(vorticity_residual(flows()[3], x, t, nu)), 0.1);
@@ -70,6 +72,14 @@ TEST(Flows, AVortexTurnsBackAndEndsAsItBegan) {
     }
     EXPECT_NEAR(norm(vortex.velocity(x, 4, 0)), 0, 1e-12);
     EXPECT_NEAR(vortex.velocity({0.5, 0.25, 0}, 0, 0).x, -1, 1e-12) << "its largest speed";
+}
+
+TEST(Flows, AStandingWaveKeepsOffItsBedAndLiftsItsSurfaceAsAsked) {
+    const StandingWaveFlow wave{{0.5, -1, 0}, 0.3, 4, 1, 2};
+    EXPECT_NEAR(wave.velocity({1.3, -1, 0}, 0, 0).y, 0, 1e-15);
+    EXPECT_NEAR(wave.velocity({0.5, 0, 0}, 0, 0).y, 0.3, 1e-15) << "a crest to come";
+    EXPECT_NEAR(wave.velocity({2.5, 0, 0}, 0, 0).y, -0.3, 1e-15) << "half a wave away, a trough";
+    EXPECT_NEAR(wave.velocity({2.5, 0, 0}, 0.5, 0).y, 0, 1e-15) << "highest after a quarter of a period";
 }
 
 TEST(Flows, WaterWithoutViscosityGoesBetweenBarsWithoutDecay) {

@@ -84,4 +84,39 @@ Vec3 VortexFlow::velocity(const Vec3& x, double t, double /*nu*/) const {
     return {-now * std::pow(std::sin(a), 2) * std::sin(2 * b), now * std::sin(2 * a) * std::pow(std::sin(b), 2), 0};
 }
 
+KeyList<StrainFlow> StrainFlow::keys() {
+    using S = StrainFlow;
+    return {key::vector(&S::center, "center", dimension::length, key::any(), "Where the water stands still."),
+            key::number(&S::rate, "rate", dimension::frequency, key::any(), "Rate of stretching along y.").required()};
+}
+
+double StrainFlow::stream(const Vec3& x, double /*t*/, double /*nu*/) const {
+    return -rate * (x.x - center.x) * (x.y - center.y);
+}
+
+Vec3 StrainFlow::velocity(const Vec3& x, double /*t*/, double /*nu*/) const {
+    return {-rate * (x.x - center.x), rate * (x.y - center.y), 0};
+}
+
+KeyList<StandingWaveFlow> StandingWaveFlow::keys() {
+    using S = StandingWaveFlow;
+    return {
+        key::vector(&S::low, "low", dimension::length, key::any(), "A point of the bed under a crest to come."),
+        key::number(&S::speed, "speed", dimension::velocity, key::any(), "U, speed of the surface there.").required(),
+        key::number(&S::wave_length, "wave_length", dimension::length, key::positive(), "L of the wave.").required(),
+        key::number(&S::depth, "depth", dimension::length, key::positive(), "Depth of the water.").required(),
+        key::number(&S::period, "period", dimension::time, key::positive(), "Of the wave.").required()};
+}
+
+double StandingWaveFlow::stream(const Vec3& x, double t, double /*nu*/) const {
+    const double k = 2 * M_PI / wave_length, now = speed / std::sinh(k * depth) * std::cos(2 * M_PI * t / period);
+    return -now / k * std::sin(k * (x.x - low.x)) * std::sinh(k * (x.y - low.y));
+}
+
+Vec3 StandingWaveFlow::velocity(const Vec3& x, double t, double /*nu*/) const {
+    const double k = 2 * M_PI / wave_length, now = speed / std::sinh(k * depth) * std::cos(2 * M_PI * t / period);
+    const double a = k * (x.x - low.x), b = k * (x.y - low.y);
+    return {-now * std::sin(a) * std::cosh(b), now * std::cos(a) * std::sinh(b), 0};
+}
+
 }  // namespace riprap::fluid

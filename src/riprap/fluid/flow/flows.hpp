@@ -79,8 +79,43 @@ struct VortexFlow {
     Vec3 velocity(const Vec3& x, double t, double nu) const;
 };
 
+/// Strain without a turn: psi = -rate (x - x_c) (y - y_c).
+struct StrainFlow {
+    static constexpr std::string_view word = "strain", brief = "Stretches along y, shortens along x.",
+                                      help = "u = -rate (x - x_c), v = rate (y - y_c).";
+    Vec3 center{};   ///< where it stands still [m]
+    double rate{0};  ///< of stretching along y [1/s]
+    static KeyList<StrainFlow> keys();
+    double stream(const Vec3& x, double t, double nu) const;
+    Vec3 velocity(const Vec3& x, double t, double nu) const;
+};
+
+/// First-order standing wave on water of even depth, potential flow while its surface is flat at t = 0 [Lamb1932]:
+///
+///     u = -U sin kX cosh kY/sinh kd cos(2 pi t/T),  v = U cos kX sinh kY/sinh kd cos(2 pi t/T),  k = 2 pi/L,
+///
+/// X and Y the distances from a point of the bed under a crest to come. Of a wave a cos kX sin(2 pi t/T) it has U = 2
+/// pi a/T, and of one that gravity drives (2 pi/T)^2 = g k tanh kd.
+struct StandingWaveFlow {
+    static constexpr std::string_view
+        word = "standing_wave",
+        brief = "A standing wave of small height, when its surface is flat.",
+        help =
+            "u = -U sin kX cosh kY/sinh kd cos(2 pi t/period), v = U cos kX sinh kY/sinh kd cos(2 pi t/period), k = 2 "
+            "pi/wave_length, d = depth, X and Y the distances from `low`: a wave a cos kX sin(2 pi t/period) has U = 2 "
+            "pi a/period.";
+    Vec3 low{};             ///< point of the bed under a crest to come [m]
+    double speed{1};        ///< U, of the surface there [m/s]
+    double wave_length{1};  ///< L [m]
+    double depth{1};        ///< d [m]
+    double period{1};       ///< T [s]
+    static KeyList<StandingWaveFlow> keys();
+    double stream(const Vec3& x, double t, double nu) const;
+    Vec3 velocity(const Vec3& x, double t, double nu) const;
+};
+
 /// Flows that a case names, in the order of the manual.
-using FlowLaws = KindList<TaylorGreenFlow, KovasznayFlow, RotationFlow, VortexFlow>;
+using FlowLaws = KindList<TaylorGreenFlow, KovasznayFlow, RotationFlow, VortexFlow, StrainFlow, StandingWaveFlow>;
 using Flow = FlowLaws::VariantWith<>;
 
 /// Velocity of a flow [m/s].

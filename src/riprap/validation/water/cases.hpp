@@ -8,13 +8,6 @@
 
 namespace riprap::validation::water {
 
-void heave_decay(const CaseSetting& setting, CaseReport& report);
-void standing_wave(const CaseSetting& setting, CaseReport& report);
-void elliptic_drop(const CaseSetting& setting, CaseReport& report);
-void wave_run_up(const CaseSetting& setting, CaseReport& report);
-void cylinder_entry(const CaseSetting& setting, CaseReport& report);
-void sinking_block(const CaseSetting& setting, CaseReport& report);
 void taylor_green(const CaseSetting& setting, CaseReport& report);
-void viscous_wave(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::water
