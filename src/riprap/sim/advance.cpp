@@ -27,7 +27,7 @@ void add_compensated(double& sum, double& rest, double term) {
     sum = next;
 }
 
-/// Takes one piece into the report of the step.
+/// Adds the report of one piece of motion to that of the step.
 void join(const solid::SolidReport& piece, const Accounts& accounts, State& state, StepReport& all) {
     all.ledger = account(piece, accounts, state.ledger);
     all.dt_bound = std::min(all.dt_bound, piece.dt_bound);

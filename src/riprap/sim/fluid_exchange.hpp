@@ -43,7 +43,7 @@ WorkDone work_done(const body::BodyState& before, const body::BodyState& after, 
 void note_accelerations(const Model& model, const body::BodyState& before, const body::BodyKinematics& kinematics,
                         const body::Loads& loads, double dt, State& state);
 
-/// Lets pushes of contacts that are over not go on in the next step: where the last contact loads are less than half of
+/// Keeps impacts that are over out of the next step: where the last contact loads are less than half of
 /// what else than the fluid accelerated a body over the step, or against it, they take its place. An impact is shorter
 /// than a step of the fluid; expected once more, the fluid would do its work on a motion that the body does not make.
 void forget_impacts(const Model& model, const body::BodyKinematics& kinematics, const body::Loads& contacts, double dt,
