@@ -111,26 +111,26 @@ TEST(FlowStart, CarriedWaterGoesAsFarAsTheFlowTakesIt) {
 dimension = 2
 gravity = [0.0, -1.0e-9]
 end = 0.25
-time_step = 0.001
+time_step = 0.0025
 [fluid]
 method = "grid"
 density = 1000.0
 open_top = false
 carried = true
-spacing = 0.02
+spacing = 0.04
 domain = { low = [0.0, 0.0], high = [1.0, 1.0] }
 flow = { rotation = { center = [0.5, 0.5], rate = 6.283185307179586 } }
 [[fluid.region]]
 box = { low = [0.6, 0.4], high = [0.8, 0.6] }
 )";
     const auto at_end = results_of(text + gauge("centre") + reported("g.x") + reported("g.y"));
-    EXPECT_NEAR(at_end[0].value, 0.5, 2e-3);
-    EXPECT_NEAR(at_end[1].value, 0.7, 2e-3);
+    EXPECT_NEAR(at_end[0].value, 0.5, 5e-3);
+    EXPECT_NEAR(at_end[1].value, 0.7, 5e-3);
     const auto speed = results_of(text + gauge("mean_velocity") + reported("g.x") + reported("g.y"));
     EXPECT_NEAR(speed[0].value, -2 * M_PI * 0.2, 2e-2);
     EXPECT_NEAR(speed[1].value, 0, 2e-2);
     const auto changed = results_of(text + gauge("changed") + reported("g") + reported("fluid.external"));
-    EXPECT_NEAR(changed[0].value, 2 * 0.04, 2e-3) << "all of it has left, and is elsewhere";
+    EXPECT_NEAR(changed[0].value, 2 * 0.04, 4e-3) << "all of it has left, and is elsewhere";
     const auto volume = results_of(text + gauge("volume") + reported("g"));
     EXPECT_NEAR(volume[0].value, 0.04, 1e-14);
 }
@@ -180,7 +180,7 @@ TEST(FlowStart, PlatesSlideAndHaveNoEnd) {
     EXPECT_NEAR(speed_between_plates(along, endless), 0.1 * 0.2, 1e-6) << "nothing holds the water";
     EXPECT_LT(speed_between_plates(along, endless + wall), 0.015) << "a plate does";
     EXPECT_NEAR(speed_between_plates(along, ""), 0, 1e-6) << "ends that are closed do";
-    EXPECT_EQ(speed_between_plates(none, endless + wall), 0);
+    EXPECT_NEAR(speed_between_plates(none, endless + wall), 0, 1e-15);
     EXPECT_GT(speed_between_plates(none, endless + wall + "velocity = [1.0, 0.0]\n"), 0.3);
     EXPECT_LT(speed_between_plates(none, endless + wall + "velocity = [-1.0, 0.0]\n"), -0.3);
 }
@@ -191,17 +191,17 @@ TEST(FlowStart, SidesAndFlowsThatContradictTheCaseAreRefusedWithTheirPlace) {
         return problems_of(text + "[[fluid.side]]\nside = 'x'\n" + more);
     };
     EXPECT_THAT(side("kind = 'slip'\nvelocity = [0.0, 1.0]\n"),
-                ElementsAre(HasSubstr("case.toml:11:1: a velocity of a side that nothing sticks to")));
+                ElementsAre(HasSubstr("case.toml:12:1: a velocity of a side that nothing sticks to")));
     EXPECT_THAT(side("kind = 'no_slip'\nvelocity = [1.0, 0.0]\n"),
-                ElementsAre(HasSubstr("case.toml:11:1: a wall that moves across itself")));
-    EXPECT_THAT(side("kind = 'flow'\n"), ElementsAre(HasSubstr("case.toml:11:1: a side with the velocity of a flow")));
+                ElementsAre(HasSubstr("case.toml:12:1: a wall that moves across itself")));
+    EXPECT_THAT(side("kind = 'flow'\n"), ElementsAre(HasSubstr("case.toml:12:1: a side with the velocity of a flow")));
     EXPECT_THAT(side("kind = 'slip'\n[[fluid.side]]\nside = 'x'\nkind = 'no_slip'\n"),
-                ElementsAre(HasSubstr("case.toml:14:1: a second rule for the same side")));
+                ElementsAre(HasSubstr("case.toml:15:1: a second rule for the same side")));
     EXPECT_THAT(
         side("kind = 'endless'\n[[fluid.outflow]]\nname = 'o'\nlow = [1.0, 0.0]\nhigh = [1.0, 1.0]\ntowards = 'x'\n"),
         ElementsAre(HasSubstr("an opening in a side that is open already")));
     EXPECT_THAT(problems_of(keys + "carried = true\n" + full),
-                ElementsAre(HasSubstr("case.toml:10:1: water that no flow carries")));
+                ElementsAre(HasSubstr("case.toml:11:11: water that no flow carries")));
     EXPECT_THAT(problems_of(keys + "flow = { spiral = { rate = 1.0 } }\n" + full),
                 ::testing::Not(::testing::IsEmpty()));
     EXPECT_THAT(problems_of(text + gauge("flow_error")),
