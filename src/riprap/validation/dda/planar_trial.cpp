@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -64,63 +63,29 @@ void PlanarTrial::step() {
     if (!has_begun_) {
         begin_ledger();
     }
-    Step now{dt, gravity, {}, {}};
-    if (base_velocity) {
-        const Vec2 moved = dt * base_velocity(time + 0.5 * dt);
-        driven_.assign(at(model.block_count()), Unknowns{moved.x, moved.y, 0, 0, 0, 0});
-        now.driven = driven_;
-    }
     int count = 0;
-    const Outcome outcome = advance_in_pieces(model, settings, now, state, scratch, report, count);
+    const Outcome outcome = advance_in_pieces(model, settings, {dt, gravity, {}, {}}, state, scratch, report, count);
     if (!outcome.ok()) {
         throw std::runtime_error(fmt::format("at {:.6g} s: {}", time, outcome.problem));
     }
     time += dt;
-    ++steps;
-    pieces += count;
-    solutions += report.iterations;
 }
 
-void PlanarTrial::run(double duration, const std::function<void()>& after) {
+void PlanarTrial::run(double duration) {
     const auto count = static_cast<std::int64_t>(std::llround(duration / dt));
     for (std::int64_t k = 0; k < count; ++k) {
         step();
-        if (after) {
-            after();
-        }
     }
-}
-
-void PlanarTrial::settle(double settling_dt, int count, double drift) {
-    const double moving_dt = dt;
-    dt = settling_dt;
-    settings.dynamic_factor = 0;
-    for (int k = 0; k < count; ++k) {
-        step();
-        if (report.largest_displacement < drift * settings.displacement_limit) {
-            break;
-        }
-    }
-    settings.dynamic_factor = 1;
-    dt = moving_dt;
-    time = 0;
-    steps = pieces = solutions = 0;
-    std::fill(state.rates.begin(), state.rates.end(), 0.0);
-    state.accounts = {};
-    begin_ledger();
 }
 
 geometry::Vec2 PlanarTrial::center(std::int32_t block) const { return {state.x[at(block)], state.y[at(block)]}; }
 geometry::Vec2 PlanarTrial::velocity(std::int32_t block) const {
     return {state.rates[6 * at(block)], state.rates[6 * at(block) + 1]};
 }
-double PlanarTrial::angle(std::int32_t block) const { return state.angle[at(block)]; }
-double PlanarTrial::spin(std::int32_t block) const { return state.rates[6 * at(block) + 2]; }
 
-void PlanarTrial::set_velocity(std::int32_t block, const Vec2& v, double turning) {
+void PlanarTrial::set_velocity(std::int32_t block, const Vec2& v) {
     state.rates[6 * at(block)] = v.x;
     state.rates[6 * at(block) + 1] = v.y;
-    state.rates[6 * at(block) + 2] = turning;
     has_begun_ = false;
 }
 
@@ -132,34 +97,14 @@ double PlanarTrial::ledger_error() const {
     return turnover > 0 ? std::abs(error) / turnover : std::abs(error);
 }
 
-double PlanarTrial::force_between(std::int32_t first, std::int32_t second) const {
+bool PlanarTrial::do_touch(std::int32_t first, std::int32_t second) const {
     double sum = 0;
     for (std::size_t k = 0; k < state.contact_corner.size(); ++k) {
         const std::int32_t a = model.corner_block[at(state.contact_corner[k])];
         const std::int32_t b = model.corner_block[at(state.contact_edge[k])];
         sum += (a == first && b == second) || (a == second && b == first) ? state.contact_force[k] : 0;
     }
-    return sum;
-}
-
-bool PlanarTrial::do_touch(std::int32_t first, std::int32_t second) const {
-    return std::abs(force_between(first, second)) > 0;
-}
-
-view::Curve PlanarTrial::drawing(std::string_view label) const {
-    view::Curve curve;
-    curve.label = label;
-    for (std::int32_t b = 0; b < model.block_count(); ++b) {
-        const std::int32_t begin = model.corner_begin[at(b)], end = model.corner_begin[at(b + 1)];
-        for (std::int32_t k = begin; k <= end; ++k) {
-            const Vec2 p = place_of(state, b, model.corner[at(k == end ? begin : k)]);
-            curve.x.push_back(p.x);
-            curve.y.push_back(p.y);
-        }
-        curve.x.push_back(std::nan(""));
-        curve.y.push_back(std::nan(""));
-    }
-    return curve;
+    return std::abs(sum) > 0;
 }
 
 }  // namespace riprap::validation

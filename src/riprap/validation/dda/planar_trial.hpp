@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
-#include <string_view>
 #include <vector>
 
 #include "riprap/solid/planar_dda/pieces.hpp"
 #include "riprap/solid/planar_dda/state.hpp"
-#include "riprap/validation/result.hpp"
-#include "riprap/view/plot_svg.hpp"
 
 namespace riprap::validation {
 
@@ -33,24 +29,15 @@ class PlanarTrial {
 
     /// Advances by one step of `dt`. @throws std::runtime_error when the method refuses it however short
     void step();
-    void run(double duration, const std::function<void()>& after = {});
-    /// Steps without inertia (velocities zeroed) until nothing moves by more than `drift` of the displacement limit in
-    /// a step, at most `count` steps; then the clock is set back to zero.
-    void settle(double settling_dt, int count, double drift = 1e-7);
+    void run(double duration);
 
     Vec2 center(std::int32_t block) const;
     Vec2 velocity(std::int32_t block) const;
-    double angle(std::int32_t block) const;
-    double spin(std::int32_t block) const;
-    void set_velocity(std::int32_t block, const Vec2& velocity, double spin = 0);
+    void set_velocity(std::int32_t block, const Vec2& velocity);
     /// Largest and mean energy that the ledger misses, over the energy turned over [-].
     double ledger_error() const;
-    /// Sum of normal forces between two blocks [N].
-    double force_between(std::int32_t first, std::int32_t second) const;
-    /// Tells whether they touch.
+    /// Tells whether two blocks push each other.
     bool do_touch(std::int32_t first, std::int32_t second) const;
-    /// Outlines of all blocks as one curve.
-    view::Curve drawing(std::string_view label) const;
 
     solid::planar_dda::Model model;
     solid::planar_dda::State state;
@@ -59,15 +46,11 @@ class PlanarTrial {
     solid::planar_dda::StepReport report;
     Vec2 gravity{0, -9.81};
     double dt{1e-3}, time{0};
-    std::int64_t steps{0}, pieces{0}, solutions{0};
-    /// Velocity of fixed blocks at a time [m/s]; empty = at rest.
-    std::function<Vec2(double)> base_velocity;
 
  private:
     void begin_ledger();
     bool has_begun_{false};
     double energy_at_start_{0}, balance_at_start_{0};
-    std::vector<solid::planar_dda::Unknowns> driven_;
 };
 
 }  // namespace riprap::validation
