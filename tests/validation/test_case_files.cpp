@@ -82,6 +82,17 @@ TEST(CaseFiles, BodiesSettleFromRestAndTheirVelocityBeginsAtTime0) {
     EXPECT_EQ(results.at(1).kind, Kind::bookkeeping);
 }
 
+TEST(CaseFiles, AnAnswerDueAfterTheEndIsJudgedInTheLongerRunAlone) {
+    const std::vector<Result> results =
+        results_of(two_blocks +
+                   "[[expect]]\nname = \"late place\"\nquantity = \"slider.position.x\"\nreduce = \"at\"\nat = 1.5\n"
+                   "value = 4.0\ntolerance = 0.1\ncitation = \"x + v t\"\n"
+                   "[[vary]]\nkey = \"end\"\nvalues = [1.5]\n");
+    ASSERT_EQ(results.size(), 5U);  // two of the case as it stands, three of the longer run
+    EXPECT_EQ(results.back().quantity, "late place; end = 1.5");
+    EXPECT_EQ(results.back().verdict, Verdict::reproduced);
+}
+
 TEST(CaseFiles, EveryRunOfAVaryIsJudgedByItsOwnValueAndAWrongOneIsRed) {
     const std::vector<Result> results =
         results_of(two_blocks +

@@ -59,15 +59,6 @@ std::span<const ValidationCase> mellado_cases() {
     static constexpr std::array cases{
         ValidationCase{"mellado", "cylinder_entry", "A cylinder falls into deep water at two densities", false,
                        mellado::cylinder_entry},
-        ValidationCase{"mellado", "floes_4", "Dam breaks over four beds carry four floes", false, mellado::floes_4},
-        ValidationCase{"mellado", "floes_sph", "The four by SPH with water in the gaps between floes", false,
-                       mellado::floes_sph},
-        ValidationCase{"mellado", "floes_9", "Dam breaks over four beds carry nine floes", false, mellado::floes_9},
-        ValidationCase{"mellado", "floes_fine", "Four floes over a dry and a wet bed, at 3.26 mm (hours)", true,
-                       mellado::floes_fine},
-        ValidationCase{"mellado", "floes_none", "Dam breaks over four beds without floes", false, mellado::floes_none},
-        ValidationCase{"mellado", "floe_methods", "A dam break with floes by every pair of methods", false,
-                       mellado::floe_methods},
     };
     return cases;
 }

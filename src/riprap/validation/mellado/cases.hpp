@@ -8,11 +8,5 @@
 namespace riprap::validation::mellado {
 
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
-void floes_4(const CaseSetting& setting, CaseReport& report);
-void floes_sph(const CaseSetting& setting, CaseReport& report);
-void floes_9(const CaseSetting& setting, CaseReport& report);
-void floes_fine(const CaseSetting& setting, CaseReport& report);
-void floes_none(const CaseSetting& setting, CaseReport& report);
-void floe_methods(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::mellado
