@@ -8,6 +8,7 @@
 #include <cctype>
 
 #include "cli/run_fixture.hpp"
+#include "io/older_checkpoint.hpp"
 #include "riprap/core/timer.hpp"
 
 namespace riprap {
@@ -87,6 +88,19 @@ TEST_F(Mishaps, ALatestCheckpointThatCannotBeReadIsPassedOverForThePrevious) {
     const Ending ending = run({"resume", out("a"), "--max-steps", "-1"});
     EXPECT_EQ(ending.code, 0) << ending.err;
     EXPECT_THAT(ending.err, HasSubstr("continuing from the checkpoint before"));
+    EXPECT_EQ(summary_of("a").at("state_hash"), whole.hash);
+}
+
+TEST_F(Mishaps, ACheckpointOfAnOlderVersionGoesOnFromItsFolderAndSaysSo) {
+    const Whole whole = whole_run("1");
+    ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "max_steps=20"}).code, 0);
+    make_older(in("a", "checkpoint/latest"), 1);
+    const Ending other = run({"run", case_file(), "--out", out("a"), "--resume"});
+    EXPECT_EQ(other.code, 6);
+    EXPECT_THAT(other.err, AllOf(HasSubstr("older Riprap"), HasSubstr("riprap resume")));
+    const Ending ending = run({"resume", out("a"), "--max-steps", "-1"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.err, HasSubstr("is of Riprap 0.1 and 0.2"));
     EXPECT_EQ(summary_of("a").at("state_hash"), whole.hash);
 }
 

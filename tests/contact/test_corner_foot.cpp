@@ -18,6 +18,7 @@ class CornerFeet : public ::testing::Test {
     Pairs pairs;
     std::mt19937_64 random{11};
     double share{0};
+    Corners corners{Corners::field};
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
     Block add(const geometry::Polyhedron& shape, const Pose& pose, double stiffness = 1) {
         return {pairs.shapes.add_convex(shape), pose, stiffness};
@@ -27,7 +28,7 @@ class CornerFeet : public ::testing::Test {
         const Frame frame_a = to_frame(a.pose), frame_b = to_frame(b.pose);
         const PlacedShape placed_a{view_a, frame_a}, placed_b{view_b, frame_b};
         const CornerFoot foot(placed_a, placed_b,
-                              a.stiffness / view_a.inscribed_radius + b.stiffness / view_b.inscribed_radius);
+                              a.stiffness / view_a.inscribed_radius + b.stiffness / view_b.inscribed_radius, corners);
         share = foot.share();
         NormalContact contact{};
         if (foot.is_whole()) {
@@ -108,8 +109,10 @@ TEST_F(CornerFeet, PushWithTheGradientOfTheirEnergyWhereTheyMeetByALittleOfTheir
     Block cube = add(geometry::cube(1), {});
     const Block other = add(geometry::box({1, 1.2, 0.8}), {{0, 0, 0}, from_rotation_vector({0.3, -0.2, 0.5})}, 0.6);
     int part = 0;
-    for (int i = 0; i < 200; ++i) {
-        const Vec3 overlap{uniform(0.02, 0.1), uniform(0.02, 0.1), uniform(0.02, 0.9)};
+    for (int i = 0; i < 400; ++i) {
+        corners = i < 200 ? Corners::field : Corners::stiff;
+        const double least = i < 200 ? 0.02 : 0.01, most = i < 200 ? 0.1 : 0.05;
+        const Vec3 overlap{uniform(least, most), uniform(0.02, 0.1), uniform(0.02, 0.9)};
         const Quat turn = from_rotation_vector({uniform(-0.02, 0.02), uniform(-0.02, 0.02), uniform(-0.02, 0.02)});
         cube.pose = {rotate(other.pose.orientation, Vec3{1, 1.1, 0.9} - overlap), other.pose.orientation * turn};
         meet(cube, other);
@@ -120,7 +123,7 @@ TEST_F(CornerFeet, PushWithTheGradientOfTheirEnergyWhereTheyMeetByALittleOfTheir
         expect_gradient(cube, other, 2e-6);
         ASSERT_FALSE(HasFailure()) << "pair " << i << " share " << share;
     }
-    EXPECT_GT(part, 50);
+    EXPECT_GT(part, 100);
 }
 
 TEST_F(CornerFeet, DoNotTurnBlocksThatMeetEvenlyByAStripOfTheirFaces) {
@@ -256,6 +259,17 @@ TEST_F(CornerFeet, CarryAllUpToADepthOfHalfOfTheirWidthAndNothingFromTheWholeOfI
     EXPECT_LT(share_at(0.55), 1);
     EXPECT_GT(share_at(0.95), 0);
     EXPECT_LT(share_at(0.999), 1e-4);
+    // Beside stiff corners h = 2 - 3 q^2 + 2 q^3, q = 0.0909/0.5: whole up to 1/(2 h^2) = 0.1367, none from 1/h =
+    // 0.5228.
+    corners = Corners::stiff;
+    EXPECT_EQ(share_at(0.1355), 1);
+    EXPECT_LT(share_at(0.1385), 1);
+    EXPECT_GT(share_at(0.51), 0);
+    EXPECT_LT(share_at(0.522), 1e-4);
+    EXPECT_EQ(share_at(0.5235), 0);
+    // All of a face is as before.
+    meet(add(geometry::cube(1), {{0, 0, 0.5 - 0.245}, {}}), floor);
+    EXPECT_EQ(share, 1);
 }
 
 /// Sums d |r| over the cells of a grid on a rectangle with sides along x and y, r from the centre of the pressure.

@@ -140,5 +140,28 @@ TEST_F(SharpPushes, LeaveFlatFacesAndRoundBodiesAsTheyAre) {
     EXPECT_TRUE(is_sharp(pairs.shapes.view(floor.shape)));
 }
 
+// Twelve sides are 30 degrees apart, thirteen 27.7: no last digit of a corner may decide.
+TEST_F(SharpPushes, AreThoseOfPrismsOfUpToTwelveSidesWhereverTheyCameFrom) {
+    for (const double size : {1e-3, 0.3, 7.0}) {
+        for (int k = 0; k < 40; ++k) {
+            const Quat turn = normalized(Quat{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
+            const auto is_sharp_prism = [&](int sides) {
+                const geometry::Polyhedron prism = geometry::prism(sides, size, 0.4 * size).value();
+                const Block moved = add(geometry::moved(prism, {{0, 0, 0}, turn}), {});
+                std::vector<geometry::Point2> corners;
+                for (int i = 0; i < sides; ++i) {
+                    const double angle = 2 * pi * i / sides + 0.1 * k;
+                    corners.push_back({size * std::cos(angle), size * std::sin(angle)});
+                }
+                const Block planar = add_planar(corners, {});
+                EXPECT_EQ(is_sharp(pairs.shapes.view(moved.shape)), is_sharp(pairs.shapes.view(planar.shape)));
+                return is_sharp(pairs.shapes.view(moved.shape));
+            };
+            EXPECT_TRUE(is_sharp_prism(12)) << size << " " << k;
+            EXPECT_FALSE(is_sharp_prism(13)) << size << " " << k;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace riprap::contact

@@ -51,6 +51,21 @@ TEST(HeightFiles, decimal_commas_are_read_where_they_can_be_nothing_else) {
     EXPECT_THAT(problem(plane(4, ",", "10.5", true)), HasSubstr("decimal commas?"));
 }
 
+TEST(HeightFiles, a_grid_that_ends_within_its_last_height_is_refused) {
+    const std::string grid = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1.25 2.50 3.75\n4.25 5.50 ";
+    const auto problem = [](const std::string& text) {
+        try {
+            read_esri_ascii(text, "a.asc", 1);
+        } catch (const CaseError& error) {
+            return to_string(error.problems()[0]);
+        }
+        return std::string();
+    };
+    EXPECT_THAT(problem(grid + "6.7"), HasSubstr("a.asc:7:11: the last height has fewer digits"));  // of 6.75
+    EXPECT_EQ(problem(grid + "6.7\n"), "");
+    EXPECT_EQ(problem(grid + "6.75"), "");
+}
+
 TEST(HeightFiles, marks_for_no_height_are_refused_where_they_stand) {
     for (const std::string mark :
          {"-9999", "-9999.0", "-32768", "-3.40282e+38", "1e+30", "1.70141E+38", "9999", "-99999"}) {

@@ -95,6 +95,23 @@ TEST(NumberTable, what_is_no_number_is_refused_with_line_and_column) {
     EXPECT_THAT(problem("0,0,0,0\n1,0,0,0\n", two), HasSubstr("a.csv:2:1: more rows"));
 }
 
+TEST(NumberTable, a_file_that_ends_within_its_last_row_is_refused_where_the_rows_above_tell) {
+    const std::string rows = "0.00 0.10 0.00 0.15\n1.00 0.20 0.00 0.25\n2.00 0.40 0.00 0.75\n";
+    // "12.25" cut to "12.2", "12." and "1": read as another force or way.
+    for (const char* cut : {"3.00 0.80 0.00 12.2", "3.00 0.80 0.00 12.", "3.00 0.80 0.00 1", "3.00 0.80 0.00 12.2 "}) {
+        EXPECT_THAT(problem(rows + cut), HasSubstr("a.csv:4:16: the last number has fewer digits")) << cut;
+    }
+    EXPECT_EQ(problem(rows + "3.00 0.80 0.00 12.2\n"), "");
+    EXPECT_EQ(problem(rows + "3.00 0.80 0.00 12.25"), "");
+    EXPECT_EQ(problem("0 0 0 0.5\n1 1 0 0.75\n2 2 0 0.25\n3 3 0 1"), "");  // written by hand: not alike
+    EXPECT_EQ(problem("0 0 0 0.5\n1 1 0 0.5\n2 2 0 1"), "");               // too few to tell
+
+    const std::string named = "t,x,y,z,phase\n0,0,0,1,5\n1,1,0,1,7\n";
+    EXPECT_THAT(problem(named + "2,2.5,0,1"), HasSubstr("a.csv:4:9: the last row is shorter than all others"));
+    EXPECT_EQ(problem(named + "2,2.5,0,1\n"), "");
+    EXPECT_EQ(problem("t,x,y,z,phase\n0,0,0,1\n1,1,0,1,7\n2,2.5,0,1"), "");  // another is as short
+}
+
 TEST(NumberTable, units_in_headings_are_given_to_the_reader) {
     TableForm form = motion();
     std::vector<std::string> asked;

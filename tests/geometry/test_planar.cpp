@@ -241,6 +241,17 @@ TEST(DdaFiles, MalformedTextsAreRefusedWithLineAndColumn) {
     EXPECT_NE(problem_of("<DDA/>").find("there is no <Geometry>"), std::string::npos);
 }
 
+TEST(DdaFiles, LinesWithoutLengthAreRefused) {
+    // They were left out where blocks are cut.
+    EXPECT_NE(problem_of("<DDA><Geometry><Jointlist>\n<Joint type=\"1\"> 0 0 1 0 </Joint>\n"
+                         "<Joint type=\"1\"> 18 11.9 18 11.9 </Joint></Jointlist></Geometry></DDA>")
+                  .find("bad.geo:3:18: a line from (18, 11.9) to the same point; two ends apart"),
+              std::string::npos);
+    EXPECT_NE(problem_of("0.01\n1 0 0 0 0 0 0 0\n2 3 2 3 1\n").find("bad.geo:3:1: a line from (2, 3)"),
+              std::string::npos);
+    EXPECT_EQ(problem_of("0.01\n1 0 0 0 1 0 0 0\n0 0 1 0 1\n2 3 2 3\n"), "");  // a fixed point
+}
+
 TEST(DdaFiles, WordsThatAreNoneAndSecondElementsAreRefusedAtTheirPlace) {
     // "dinamic" was read as static, of two properties of one joint type the first was taken, two geometries were
     // joined.
@@ -255,6 +266,17 @@ TEST(DdaFiles, WordsThatAreNoneAndSecondElementsAreRefusedAtTheirPlace) {
     EXPECT_NE(
         analysis_problem_of(analysis(joint + joint)).find("bad.ana:3:1: a second <Jointproperties> of type \"1\""),
         std::string::npos);
+    for (const std::string twice : {"<Numtimesteps timesteps=\"5\"/>\n<Numtimesteps timesteps=\"7\"/>",
+                                    "<Analysistype type=\"static\"/>\n<Analysistype type=\"dynamic\"/>"}) {
+        EXPECT_NE(analysis_problem_of(analysis(twice)).find("bad.ana:3:1: a second <"), std::string::npos) << twice;
+    }
+    EXPECT_NE(
+        analysis_problem_of(
+            analysis(
+                "<Jointproperties type=\"1\"><Friction> 1 </Friction>\n<Friction> 2 </Friction></Jointproperties>"))
+            .find("bad.ana:3:1: a second <Friction>; the first is in line 2"),
+        std::string::npos);
+    EXPECT_EQ(analysis_problem_of(analysis("<Remark/><Remark/>" + joint)), "");  // is not read
     EXPECT_NE(analysis_problem_of("<DDA><Analysis/>\n<Analysis/></DDA>").find("bad.ana:2:1: a second <Analysis>"),
               std::string::npos);
     EXPECT_NE(problem_of("<DDA><Geometry/>\n<Geometry/></DDA>").find("bad.geo:2:1: a second <Geometry>"),

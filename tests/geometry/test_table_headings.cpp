@@ -87,6 +87,27 @@ TEST(TableHeadings, a_heading_of_more_columns_than_the_first_row_is_used_or_refu
                 HasSubstr("a.csv:1:1: a heading of 3 columns above rows of 4"));
 }
 
+TEST(TableHeadings, a_title_of_another_quantity_is_refused_where_no_heading_names_the_columns) {
+    for (const std::string title :
+         {"Velocity of the table in m/s", "# velocity (m/s)", "ACCELERATION TIME SERIES, UNITS OF G",
+          "# Beschleunigung [m/s2]", "Pressure at the wall (Pa)"}) {
+        EXPECT_THAT(problem(title + "\n0 0 0 0\n1 1 1 1\n", motion()),
+                    HasSubstr("speaks of another quantity than t,x,y,z"))
+            << title;
+        EXPECT_EQ(problem(title + "\nt x y z\n0 0 0 0\n1 1 1 1\n", motion()), "") << title;
+    }
+}
+
+TEST(TableHeadings, what_multiplies_or_divides_a_name_must_be_a_unit) {
+    for (const std::string heading :
+         {"t,x*1000,y,z", "t,x/L,y/L,z/L", "t,x / D,y / D,z / D", "t,x [\"],y [\"],z [\"]"}) {
+        EXPECT_THAT(problem(heading + "\n0,0,0,0\n1,1,1,1\n", motion()), HasSubstr("a.csv:1:3: the unit in \"x"))
+            << heading;
+    }
+    EXPECT_EQ(problem("t/s,x/m,y/m,z/m\n0,0,0,0\n1,1,1,1\n", motion()), "");
+    EXPECT_EQ(problem("\"t\",\"x\",\"y\",\"z\"\n\"0\",\"0\",\"0\",\"0\"\n1,1,1,1\n", motion()), "");
+}
+
 TEST(TableHeadings, a_unit_that_is_not_read_is_refused_wherever_it_stands) {
     for (const std::string heading :
          {"t,x [ell],y,z", "t,x [m],y (cubit),z", "t,x [ft],y,z", "t,x_ft,y,z", "t,x.mm,y.mm,z.mm",

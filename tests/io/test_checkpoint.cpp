@@ -115,8 +115,8 @@ std::string with_header_value(std::string bytes, std::size_t at, std::uint32_t v
 TEST(Checkpoint, AnotherFormatVersionIsNamed) {
     EXPECT_THAT(refusal_of(with_header_value(bytes_of_state({}), 8, 99)),
                 AllOf(HasSubstr("format version 99, that of a later Riprap"), HasSubstr("--force")));
-    EXPECT_THAT(refusal_of(with_header_value(bytes_of_state({}), 8, 1)),
-                AllOf(HasSubstr("format version 1, that of Riprap 0.1 and 0.2"), HasSubstr("--force")));
+    EXPECT_THAT(refusal_of(with_header_value(bytes_of_state({}), 8, 0)),
+                AllOf(HasSubstr("format version 0, that of no Riprap"), HasSubstr("--force")));
 }
 
 TEST(Checkpoint, AnAbsurdSectionCountIsRefused) {

@@ -194,6 +194,9 @@ std::vector<Ending> endings() {
          gravity + "end = 0.01\n[solid]\nmax_speed = 5\n" + rock("1e8") + ground +
              falling_cube("position = [0, 0, 3]\nvelocity = [6, 0, 0]"),
          "solid.max_speed = "},
+        {"fast_body", "a force that no body has",
+         weightless + "end = 0.02\n" + rock("1e8") + falling_cube("load = [{ force = [1e308, 0, 0] }]"), "N or less",
+         weightless + "end = 0.02\n" + rock("1e8") + falling_cube("load = [{ force = [1e10, 0, 0] }]")},
         {"fast_body", "a step far above the bound that throws a sphere away",
          gravity + "end = 0.5\ntime_step = 0.01\nforce_time_step = true\n" +
              solids("sphere_dem", "youngs_modulus = 1e9\nmax_speed = 4") + rock("1e7") + ground +
@@ -261,6 +264,16 @@ std::vector<Ending> endings() {
         {"ledger", "a step far above its bound",
          gravity + "end = 0.3\ntime_step = 0.147\nforce_time_step = true\n" + rock("1e7") + ground + falling_cube(),
          "time_step = \"auto\""},
+        {"ledger", "a plate of implicit DDA that comes down faster than its linear elasticity follows",
+         weightless + "end = 0.001\n" + solids("implicit_dda", "") + rock("1e7") +
+             body("floor", "box = [2, 2, 0.2]", "fixed = true") +
+             body("plate", "box = [1, 1, 0.05]", "position = [0, 0, 0.3]\nvelocity = [0, 0, -400]"),
+         "solid.youngs_modulus = "},
+        {"ledger", "the same in a plane",
+         "dimension = 2\ngravity = [0, 0]\nend = 0.001\n" + solids("implicit_dda", "") + rock("1e7") +
+             body("floor", "box = [2, 0.2]", "fixed = true") +
+             body("plate", "box = [1, 0.05]", "position = [0, 0.3]\nvelocity = [0, -400]"),
+         "solid.youngs_modulus = "},
         {"ledger", "a tolerance below what the step gives",
          gravity + "end = 0.3\ntime_step_factor = 1\n[output]\nledger_tolerance = 1e-6\n" + rock("1e7") + ground +
              falling_cube("position = [0, 0, 0.6]\nangular_velocity = [1, 2, 0]"),

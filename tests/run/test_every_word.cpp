@@ -148,20 +148,6 @@ std::string opening(const std::string& kind, const std::string& word, bool is_in
                                kind, low.x, low.y, low.z, high.x, high.y, high.z, word);
 }
 
-/// Water that runs beside a wall, with an instrument in it.
-std::string gauge(const std::string& word) {
-    const std::map<std::string, std::string> extent{{"pressure", ""},
-                                                    {"velocity", ""},
-                                                    {"level", ""},
-                                                    {"wall_pressure", ""},
-                                                    {"surface", "end = [0.3, 0.5]\n"},
-                                                    {"run_up", "end = [0.1, 0.5]\n"},
-                                                    {"flow", "end = [0.11, 0.3]\n"},
-                                                    {"volume", "end = [0.3, 0.4]\n"}};
-    return flume("piston", "regular", "") + "[[output.gauge]]\nname = \"gauge\"\nkind = \"" + word +
-           "\"\npoint = " + (word == "wall_pressure" ? "[0.8, 0.11]" : "[0.11, 0.11]") + "\n" + extent.at(word);
-}
-
 /// A block that is thrown up and sideways: its height rises and falls, and x is negative and grows.
 std::string answer(const std::string& word) {
     const std::map<std::string, std::string> more{{"at", "at = 0.013\n"},
@@ -257,6 +243,24 @@ linear = 200
 quadratic = 1.1
 closure = ")" +
            closure + "\"\n";
+}
+
+/// Water that runs beside a wall, with an instrument in it.
+std::string gauge(const std::string& word) {
+    const std::map<std::string, std::string> extent{{"pressure", ""},
+                                                    {"velocity", ""},
+                                                    {"level", ""},
+                                                    {"wall_pressure", ""},
+                                                    {"surface", "end = [0.3, 0.5]\n"},
+                                                    {"run_up", "end = [0.1, 0.5]\n"},
+                                                    {"flow", "end = [0.11, 0.3]\n"},
+                                                    {"overhang", "end = [0.3, 0.5]\n"},
+                                                    {"turbulent_energy", "end = [0.3, 0.4]\n"},
+                                                    {"volume", "end = [0.3, 0.4]\n"}};
+    const std::string water =
+        word == "turbulent_energy" ? grid_water("regular", "ding") : flume("piston", "regular", "");
+    return water + "[[output.gauge]]\nname = \"gauge\"\nkind = \"" + word +
+           "\"\npoint = " + (word == "wall_pressure" ? "[0.8, 0.11]" : "[0.11, 0.11]") + "\n" + extent.at(word);
 }
 
 /// Water in a square basin on a grid, with waves that travel towards `word` across gravity.

@@ -209,22 +209,28 @@ TEST(ExpectWords, BodiesOfEntriesAreTakenTogether) {
                    expect("min", "quantity = 'row[min].position.x'\n" + end) +
                    expect("max", "quantity = 'row[max].position.x'\n" + end) +
                    expect("both", "quantity = 'row,thrown[mean].position.x'\n" + end) +
+                   expect("above", "quantity = 'row[above 11.5].position.x'\n" + end) +
+                   expect("none above", "quantity = 'row[above 1e3].position.x'\n" + end) +
                    expect("apart", "quantity = 'row[mean].position.z'\nrelative_to = 'stone.position.z'\n" + end));
-    const std::vector<double> exact{11.5, 20.0, 10.0, 13.0, 51.0 / 5, 10.0};
+    const std::vector<double> exact{11.5, 20.0, 10.0, 13.0, 51.0 / 5, 2.0, 0.0, 10.0};
     for (std::size_t i = 0; i < exact.size(); ++i) {
         EXPECT_NEAR(results[i].value, exact[i], 0.03) << results[i].name;
         EXPECT_EQ(results[i].verdict, run::Verdict::reported);
+        EXPECT_EQ(results[i].unit, results[i].name.ends_with("above") ? "-" : "m");
     }
 }
 
 TEST(ExpectWords, GroupsOfWhatIsNotThereAreToldWithTheirPlace) {
     const std::string band = "low = 0.0\nhigh = 9.0\n";
     for (const std::string quantity :
-         {"heap[mean].position.x", "row[median].position.x", "row[mean].colour", "row,heap[mean].position.x",
-          "row,row[sum].position.x", "row[mean]", "row[sum", "row]sum[.position.x"}) {
+         {"heap[mean].position.x", "row[median].position.x", "row[mean].colour", "row,row[sum].position.x", "row[mean]",
+          "row[sum", "row]sum[.position.x", "row[above].position.x", "row[above high].position.x",
+          "row[above 1 m].position.x", "row[sum 1].position.x"}) {
         EXPECT_THAT(problem_of(row + expect("a", "quantity = '" + quantity + "'\n" + band)),
                     HasSubstr("case.toml:27:12: there is no quantity '" + quantity + "'"));
     }
+    EXPECT_THAT(problem_of(row + expect("a", "quantity = 'row,heap[mean].position.x'\n" + band)),
+                HasSubstr("case.toml:27:12: there is no body 'heap' of 'row,heap[mean].position.x'"));
     EXPECT_THAT(problem_of(row + expect("a", "quantity = 'row[mean].stress_xx'\n" + band)),
                 HasSubstr("the methods of this case do not have"));
 }

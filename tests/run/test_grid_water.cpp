@@ -56,6 +56,29 @@ struct Walk {
     Simulation simulation;
 };
 
+// A sheet of water 0.08 m thick hangs 0.24 m above a pool 0.2 m deep.
+TEST(GridWater, GaugesReadAirBelowWaterAndNoTurbulenceOfLaminarFlow) {
+    const std::string gauge = "[[output.gauge]]\npoint = [0.5, 0.0]\nend = [0.5, 0.8]\nname = ";
+    const Walk walk(
+        R"(
+dimension = 2
+gravity = [0.0, -9.81]
+end = 1.0
+[fluid]
+method = "grid"
+spacing = 0.04
+domain = { low = [0.0, 0.0], high = [1.0, 0.8] }
+[[fluid.region]]
+box = { low = [0.0, 0.0], high = [1.0, 0.2] }
+[[fluid.region]]
+box = { low = [0.0, 0.44], high = [1.0, 0.52] }
+)" + gauge +
+        "\"air\"\nkind = \"overhang\"\n" +
+        "[[output.gauge]]\npoint = [0.0, 0.0]\nend = [1.0, 0.8]\nname = \"k\"\nkind = \"turbulent_energy\"\n");
+    EXPECT_NEAR(walk.value("air"), 0.32, 1e-3);  // from 0.2 to 0.52 m
+    EXPECT_EQ(walk.value("k"), 0);
+}
+
 // Story: a step that was refused is taken again from the last good state, with nothing listed yet and without asking
 // for the stable step first; a grid without bodies had no capacities then, and the program ended.
 TEST(GridWater, water_without_bodies_steps_at_once_from_a_state) {

@@ -22,6 +22,8 @@ TEST(SweepWords, CommasWithinBracketsAndQuotesDoNotPartValues) {
     EXPECT_THAT(variation.values, ElementsAre("[0,0,-9.81]", "[0, 0, -1.62]", "\"a,b\""));
     EXPECT_THROW(run::read_variation("end"), CaseError);
     EXPECT_THROW(run::read_variation("end=1,,2"), CaseError);
+    EXPECT_THROW(run::read_variation("end=0,5;1,5"), CaseError);  // was 0, "5;1" and 5
+    EXPECT_EQ(run::read_variation("title='a;b'").values.front(), "'a;b'");
 }
 
 TEST(SweepWords, AGridHasEveryCombinationAndAListItsLines) {
@@ -53,8 +55,19 @@ TEST(SweepWords, AListMayComeFromASpreadsheetAndIsRefusedWithItsPlaceWhereItIsNo
     };
     using namespace std::string_literals;
     EXPECT_THAT(problem("a b\n1 2\n"), ::testing::StartsWith("runs.txt:1:1: 'a b' is no key"));
-    EXPECT_THAT(problem("a,b,a\n1,2,3\n"), ::testing::StartsWith("runs.txt:1:1: 'a' stands twice"));
-    EXPECT_THAT(problem("a,b\n1,\n"), ::testing::StartsWith("runs.txt:2:1: no value of 'b'"));
+    EXPECT_THAT(problem("a,b,a\n1,2,3\n"), ::testing::StartsWith("runs.txt:1:5: 'a' stands twice"));
+    EXPECT_THAT(problem("end, b, end_ms\n1,2,3\n"),
+                ::testing::StartsWith("runs.txt:1:9: 'end' and 'end_ms' give one value"));
+    EXPECT_THAT(problem("x.end,end_ms\n1,\n"), ::testing::StartsWith("runs.txt:2:3: no value of 'end_ms'"));
+    EXPECT_THAT(problem("a,b\n1,2,3\n"), ::testing::StartsWith("runs.txt:2:5: 3 values for 2 keys"));
+    EXPECT_THAT(problem("a,b\n1\n"), ::testing::StartsWith("runs.txt:2:1: 1 values for 2 keys"));
+    // Was "0,5", which every run of the study refused.
+    for (const std::string text : {"a;b\n1; 0,5\n", "a\tb\n1\t 0,5\n"}) {
+        EXPECT_THAT(problem(text),
+                    ::testing::StartsWith("runs.txt:2:4: '0,5' has a comma; numbers with decimal points"))
+            << text;
+    }
+    EXPECT_EQ(problem("a;b\n1;[0,5]\n2;\"0,5\"\n"), "none");
     EXPECT_THAT(problem("a\n1\0.5\n"s), ::testing::StartsWith("runs.txt:2:2: a byte 0x00"));  // was read as 1
     EXPECT_THAT(problem("\x1F\x8B\x08"), ::testing::HasSubstr("is compressed (gzip)"));
 }
@@ -67,6 +80,34 @@ TEST(SweepWords, AKeyIsVariedOnceAndNotSetToo) {
     EXPECT_THROW(run::refuse_set_and_varied(options), CaseError);
     options.overrides = {"solid.skin=3"};
     EXPECT_NO_THROW(run::refuse_set_and_varied(options));
+}
+
+TEST(SweepWords, AKeyInAnotherSpellingIsTheSameKey) {
+    // The value set for all runs went unread where the other spelling was varied.
+    const TemporaryFolder folder;
+    std::ofstream(folder / "case.toml") << "end = 1\n[[body]]\nname = 'a'\n[[body]]\nname = 'b.c'\n";
+    run::SweepOptions options;
+    options.case_path = folder / "case.toml";
+    const auto is_refused = [&](const std::string& varied, const std::string& set) {
+        options.points = run::grid_of({{varied, {"1", "2"}}});
+        options.overrides = {set};
+        try {
+            run::refuse_set_and_varied(options);
+            return false;
+        } catch (const CaseError&) {
+            return true;
+        }
+    };
+    EXPECT_TRUE(is_refused("end", "end_ms=5"));
+    EXPECT_TRUE(is_refused("end_s", "end_ms=5"));
+    EXPECT_TRUE(is_refused("body.a.mass", "body.0.mass_t=5"));
+    EXPECT_TRUE(is_refused("body.1.position", "body.b.c.position=[0,0,1]"));
+    EXPECT_FALSE(is_refused("body.1.position", "body.a.position=[0,0,1]"));
+    EXPECT_FALSE(is_refused("end", "time_step=1"));
+    EXPECT_THROW(run::grid_of({{"end", {"1"}}, {"end_ms", {"2"}}}), CaseError);
+    options.overrides = {};
+    options.points = run::grid_of({{"body.0.mass", {"1"}}, {"body.a.mass", {"2"}}});
+    EXPECT_THROW(run::refuse_set_and_varied(options), CaseError);
 }
 
 TEST(SweepTables, RowsThatAFinishedRunHasLostMakeItUnreadable) {

@@ -9,7 +9,7 @@
 #include "riprap/run/ledger_verdict.hpp"
 #include "riprap/run/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
-#include "riprap/sim/fluid_exchange.hpp"
+#include "riprap/sim/prediction.hpp"
 #include "riprap/sim/scratch_data.hpp"
 
 namespace riprap::run {

@@ -181,6 +181,10 @@ TEST(BadInput, an_expectation_without_tolerance_citation_or_quantity_is_refused)
     EXPECT_THAT(problems_of(expect + "citation = \"theory\"\n"), ElementsAre(HasSubstr("lacks a tolerance")));
     EXPECT_THAT(problems_of(with(expect, "solid.kinetic", "solid.kinetc") + "citation = \"t\"\ntolerance = 1\n"),
                 ElementsAre(HasSubstr("did you mean 'solid.kinetic'?")));
+    // Was told a quantity that is about as long as the whole text.
+    EXPECT_THAT(
+        problems_of(with(expect, "solid.kinetic", "block,blok[mean].position.x") + "citation = \"t\"\ntolerance = 1\n"),
+        ElementsAre(HasSubstr("there is no body 'blok' of 'block,blok[mean].position.x'; did you mean 'block'?")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nreduce = \"at\"\n"),
                 ElementsAre(HasSubstr("'at' goes with")));
     EXPECT_THAT(problems_of(expect + "citation = \"t\"\ntolerance = 1\nfrom = 0.6\nto = 0.5\n"),

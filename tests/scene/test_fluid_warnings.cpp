@@ -179,6 +179,13 @@ TEST(FluidWarnings, water_as_shallow_as_the_support_of_its_particles) {
     EXPECT_THAT(warnings("0.2", "sph"), Not(Contains(HasSubstr("spacings deep"))));  // 3 of support and one
     EXPECT_THAT(warnings("0.2", "mps"), Contains(HasSubstr("4 spacings deep")));     // 3.1 and one
     EXPECT_THAT(warnings("0.25", "mps"), Not(Contains(HasSubstr("spacings deep"))));
+    // A wet floor beside a column is part of its water, one apart from it is not.
+    const auto floor = [](const std::string& begin) {
+        return "0.1] }\n[[fluid.region]]\nbox = { low = [" + begin + ", 0.0], high = [1.9, 0.6";
+    };
+    EXPECT_THAT(warnings(floor("0.3"), "sph"), Not(Contains(HasSubstr("spacings deep"))));
+    const std::string apart = "0.1] }\n[[fluid.region]]\nbox = { low = [0.5, 0.5], high = [0.9, 1.0";
+    EXPECT_THAT(warnings(apart, "sph"), Contains(HasSubstr("2 spacings deep")));
 }
 
 TEST(FluidWarnings, a_wave_lower_than_four_spacings) {

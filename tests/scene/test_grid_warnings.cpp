@@ -65,6 +65,25 @@ TEST(GridWarnings, water_of_three_cells_is_shallow_and_water_of_four_is_not) {
     }
 }
 
+TEST(GridWarnings, a_wet_floor_beside_deep_water_is_not_shallow_and_one_apart_from_it_is) {
+    const auto floor = [](double begin) {
+        return fmt::format("[[fluid.region]]\nbox = {{ low = [{}, 0.0], high = [1.6, 0.1] }}\n", begin);
+    };
+    const auto with_floor = [&](const std::string& more) {
+        std::string text = flume(0.5, 0, 0.5, more);
+        const std::size_t box = text.find("[[fluid.region]]"), end = text.find(']', text.find("high = [", box));
+        const std::size_t begin = text.find("high = [", box);
+        text.replace(begin, end - begin, "high = [1.0, 0.5");
+        return text;
+    };
+    EXPECT_THAT(read(with_floor("")).warnings, Not(Contains(HasSubstr("cells deep"))));
+    EXPECT_THAT(read(with_floor(floor(1.0))).warnings, Not(Contains(HasSubstr("cells deep"))));
+    EXPECT_THAT(
+        read(with_floor(floor(1.0) + "[[fluid.region]]\nbox = { low = [1.6, 0.0], high = [1.9, 0.1] }\n")).warnings,
+        Not(Contains(HasSubstr("cells deep"))));  // which meets the column by the floor
+    EXPECT_THAT(read(with_floor(floor(1.2))).warnings, Contains(HasSubstr("the water is 2 cells deep")));
+}
+
 TEST(GridWarnings, a_paddle_off_the_water_or_for_another_depth_is_told) {
     EXPECT_THAT(read(flume(0.5, -0.04, 0.5)).warnings, IsEmpty());
     for (const double face : {-0.1, -0.2, -0.3}) {

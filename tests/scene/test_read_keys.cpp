@@ -24,8 +24,8 @@ std::string reader_sources() {
         std::ifstream file(path);
         text.append(std::istreambuf_iterator<char>(file), {});
     };
-    for (const char* folder : {"src/riprap/scene/build", "src/riprap/scene/motions", "src/riprap/scene/shapes",
-                               "src/riprap/scene/warnings"}) {
+    for (const char* folder : {"src/riprap/scene/assemble", "src/riprap/scene/case", "src/riprap/scene/motions",
+                               "src/riprap/scene/shapes", "src/riprap/scene/warnings"}) {
         for (const auto& entry : std::filesystem::directory_iterator(folder)) {
             append(entry.path());
         }

@@ -93,6 +93,14 @@ TEST(ReadMotion, a_sea_takes_its_spectrum_from_a_file_and_its_height_from_the_ca
     EXPECT_THAT(problems("spectrum_file = \"sea.csv\", period = 2"), HasSubstr("which has its own"));
     EXPECT_THAT(problems("height = 0.1"), HasSubstr("a sea without 'period'"));
     EXPECT_THAT(problems("height = 0.3, period = 9"), HasSubstr("beyond second-order theory"));
+    // The same spectrum over rad/s, as other programs write it, was a sea of waves a few centimetres long.
+    folder.write("radians.csv", "2.5133,0\n3.7699,1.5915e-4\n5.0265,3.1831e-5\n7.5398,0\n");
+    EXPECT_THAT(
+        problems("spectrum_file = \"radians.csv\""),
+        HasSubstr(
+            "a sea 0.0645 m high whose peak at 3.77 Hz is 0.1099 m long breaks; less than 0.0156 m, 0.142 L tanh kd; "
+            "frequencies of the file in 1/s, not rad/s"));
+    EXPECT_THAT(problems("height = 0.1, period = 0.5"), HasSubstr("less than 0.05543 m, 0.142 L tanh kd"));
 }
 
 TEST(ReadMotion, waves_that_cannot_be_made_are_refused_with_the_reason) {

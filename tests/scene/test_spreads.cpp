@@ -42,6 +42,9 @@ TEST(Spreads, of_one_key_twice_are_refused) {
     EXPECT_THAT(problems_with("key = \"body.block.position.2\"\nlow = 0.5\nhigh = 1.5\n[[spread]]\nkey = "
                               "\"body.block.position.2\"\nmean = 0.5\ndeviation = 0.1\n"),
                 ElementsAre(HasSubstr("case.toml:16:7: 'body.block.position.2' has a [[spread]] already")));
+    EXPECT_THAT(problems_with("key = \"body.block.position.2\"\nlow = 0.5\nhigh = 1.5\n[[spread]]\nkey = "
+                              "\"body.0.position.2\"\nmean = 0.5\ndeviation = 0.1\n"),
+                ElementsAre(HasSubstr("case.toml:16:7: 'body.0.position.2' has a [[spread]] already")));
 }
 
 TEST(Spreads, with_half_of_what_they_need_are_refused_once_each) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "riprap/scene/build/variations.hpp"
+#include "riprap/scene/assemble/variations.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 
@@ -115,6 +115,11 @@ TEST(Vary, refuses_a_key_that_the_case_does_not_have_with_its_place) {
 TEST(Vary, refuses_a_key_that_stands_twice) {
     EXPECT_THAT(problem_of("[[vary]]\nkey = [\"gravity.1\", \"gravity.1\"]\nrows = [[-1.0, -2.0]]\n"),
                 ::testing::StartsWith("case.toml:18:7: a key stands twice"));
+    for (const std::string keys : {"\"end\", \"end_ms\"", "\"body.0.position.1\", \"body.block.position.1\""}) {
+        EXPECT_THAT(problem_of("[[vary]]\nkey = [" + keys + "]\nrows = [[1.0, 2.0]]\n"),
+                    ::testing::StartsWith("case.toml:18:7: a key stands twice"))
+            << keys;
+    }
 }
 
 TEST(Vary, refuses_answers_that_are_none_of_the_case_or_not_as_many_as_the_values) {

@@ -146,6 +146,31 @@ TEST(CaseFiles, ALongRunIsLeftOutAndAVaryOfAKeyThatDoesNotExistIsRefused) {
     EXPECT_THROW(results_of(two_blocks + "[[vary]]\nkey = \"ends\"\nvalues = [1.0]\n"), CaseError);
 }
 
+// The seed moves the slider at random by up to a decimetre along each axis: means differ from each of the three.
+TEST(CaseFiles, MeansOverSeedsAreJudged) {
+    const std::string jitter =
+        "repeat = { counts = [1, 1], jitter = 0.1 }\nmotion = { linear = { velocity = [0.0, 0.0] } }\n";
+    std::string text = two_blocks;
+    text.erase(text.find("load = "), text.find("[[expect]]") - text.find("load = "));
+    text.insert(text.find("[[expect]]"), jitter);
+    text.erase(text.find("velocity = [2.0, 0.0]"), sizeof("velocity = [2.0, 0.0]") - 1);
+    text.replace(text.find("slider.position.x"), sizeof("slider.position.x") - 1, "slider[0].position.x");
+    const auto place = [&text](const std::string& top) { return results_of(top + text).at(1).value; };
+    const double one = place("seed = 4\n"), two = place("seed = 5\n"), three = place("seed = 6\n");
+    EXPECT_NE(one, two);
+    EXPECT_NEAR(place("seed = 4\nseeds = 3\n"), (one + two + three) / 3, 1e-12);
+    EXPECT_EQ(place("seed = 4\nseeds = 1\n"), one);
+}
+
+TEST(CaseFiles, OneWordStandsForSeveralKeys) {
+    const std::vector<Result> results =
+        results_of(two_blocks +
+                   "[material.snow]\ndensity = 2500.0\nnormal_stiffness = 1.0e6\ndamping_ratio = 0.5\n"
+                   "[[vary]]\nkey = [\"body.ground.material\", \"body.slider.material\"]\nwords = [\"snow\"]\n");
+    ASSERT_EQ(results.size(), 4U);
+    EXPECT_NEAR(results[3].value, 3.8, 1e-3);
+}
+
 TEST(CaseFiles, EachPublishedCaseFileCanBeReadAndTakesFiveSteps) {
     const std::vector<ValidationCase> cases = file_cases({});
     EXPECT_GT(cases.size(), 15U);

@@ -31,7 +31,8 @@ INSTANTIATE_TEST_SUITE_P(Validation, QuickCase,
                                          "mellado/oblique_steel_spin", "mellado/oblique_polyethylene_centre",
                                          "mellado/sliding_impact", "dda/planar_sliding_block", "dda/planar_pendulum",
                                          "dda/planar_column_plane_stress", "dda/planar_slope_tip",
-                                         "dda/planar_keystone", "dda/rocking_3d_small"),
+                                         "dda/planar_keystone", "dda/rocking_3d_small", "ding/arch_3d_stands",
+                                         "ding/dam_uplift_full"),
                          [](const auto& test) {
                              std::string name = test.param;
                              std::replace(name.begin(), name.end(), '/', '_');

@@ -7,6 +7,7 @@
 
 #include "riprap/contact/narrowphase/overlap_integrals.hpp"
 #include "riprap/contact/narrowphase/spin_arm.hpp"
+#include "riprap/contact/sharp_push.hpp"
 
 namespace riprap::contact {
 
@@ -14,6 +15,11 @@ namespace {
 
 /// sin of the angle between two edges below which they do not cross.
 constexpr double parallel = 1e-9;
+
+/// h^2 D/W up to which a foot is whole; from h D/W = 1 on it is none.
+constexpr double whole_up_to = 0.5;
+/// h of a foot as narrow as nothing beside stiff corners.
+constexpr double narrowest = 2;
 
 FootPatch& workspace() {
     static thread_local FootPatch patch;
@@ -64,7 +70,7 @@ struct CornerFoot::Slopes {
     double by_length;  ///< of the free edges [J/m]
 };
 
-CornerFoot::CornerFoot(const PlacedShape& a, const PlacedShape& b, double per_area)
+CornerFoot::CornerFoot(const PlacedShape& a, const PlacedShape& b, double per_area, Corners corners)
     : a_(a), b_(b), faces_(find_facing_faces(a, b)), patch_(workspace()), per_area_(per_area) {
     if (!(faces_.share > 0) || !find_foot_patch(a, b, faces_, patch_)) {
         return;
@@ -73,9 +79,28 @@ CornerFoot::CornerFoot(const PlacedShape& a, const PlacedShape& b, double per_ar
     const double width = patch_.width();
     is_narrow_ = width < faces_.next.depth;
     room_ = is_narrow_ ? width : faces_.next.depth;
-    const double u = std::clamp(2 - 2 * faces_.least.depth / room_, 0.0, 1.0);
+    fit_to_width(corners);
+}
+
+/// Sets t and its derivatives.
+void CornerFoot::fit_to_width(Corners corners) {
+    const double ratio = faces_.least.depth / room_;
+    if (narrowest * narrowest * ratio <= whole_up_to) {
+        fit_ = 1;
+        return;
+    }
+    double h = 1, h_by_room = 0;
+    if (corners == Corners::stiff && is_sharp(a_.shape) && is_sharp(b_.shape)) {
+        const double size = std::min(a_.shape.inscribed_radius, b_.shape.inscribed_radius);
+        const double q = std::min(room_ / size, 1.0);
+        h = narrowest - (narrowest - 1) * q * q * (3 - 2 * q);
+        h_by_room = -6 * (narrowest - 1) * q * (1 - q) / size;
+    }
+    const double none = 1 / h, whole = whole_up_to / (h * h), step = none - whole;
+    const double u = std::clamp((none - ratio) / step, 0.0, 1.0), slope = 6 * u * (1 - u) / step;
     fit_ = u * u * (3 - 2 * u);
-    fit_by_ratio_ = -12 * u * (1 - u);
+    fit_by_least_ = -slope / room_;
+    fit_by_room_ = slope * (ratio / room_ - h_by_room * (2 * u * whole + (1 - u) * none) / h);
 }
 
 /// Sets the weights of the corners and E_c.
@@ -206,9 +231,8 @@ bool CornerFoot::stand(NormalContact& contact) const {
 void CornerFoot::join(NormalContact& contact) const {
     const double sigma = share(), rest = 1 - sigma;
     const double more = energy_ - contact.energy;
-    const double by_ratio = more * faces_.share * fit_by_ratio_;
-    const double by_least = by_ratio / room_, by_room = -by_ratio * faces_.least.depth / (room_ * room_);
-    const double by_width = is_narrow_ && by_ratio != 0 ? by_room : 0;
+    const double by_least = more * faces_.share * fit_by_least_, by_room = more * faces_.share * fit_by_room_;
+    const double by_width = is_narrow_ && by_least != 0 ? by_room : 0;
     Slopes slopes{sigma, 0, 0};
     if (by_width != 0) {
         slopes.by_area = 2 * by_width / patch_.free_length;
@@ -220,7 +244,7 @@ void CornerFoot::join(NormalContact& contact) const {
             deepest_corner(a_, b_, depth, faces_.origin, middle(patch_.centroid) - faces_.origin);
         on_a.add((depth.is_of_a ? -slope : slope) * corner.normal, corner.place);
     };
-    if (by_ratio != 0) {
+    if (by_least != 0) {
         add_depth(faces_.least, by_least);
         if (!is_narrow_) {
             add_depth(faces_.next, by_room);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "riprap/contact/contact_physics.hpp"
+#include "riprap/contact/narrowphase/distance_potential_options.hpp"
 #include "riprap/contact/narrowphase/foot_patch.hpp"
 #include "riprap/core/mat3.hpp"
 
@@ -19,7 +20,10 @@ namespace riprap::contact {
 ///
 /// E_c takes the place of the energy E_p of the potential by the share sigma = s t, s of the directions of the faces
 /// (FacingFaces) and t of the depth D (FacingFaces::least) beside W, the lesser of the width of the patch and the depth
-/// below any other face: 1 up to D = W/2, a smooth step to 0 at D = W.
+/// below any other face: 1 up to h^2 D = W/2, a smooth step to 0 at h D = W. Here h = 1, but between parts with stiff
+/// corners (SharpPush) 2 - 3 q^2 + 2 q^3, q = min(W/r, 1), r the lesser inscribed radius: a foot is softer than a
+/// corner by W/r, so where it is as narrow as deep a corner that can become one would lose its energy and throw itself
+/// there.
 ///
 ///     E = E_p + sigma (E_c - E_p)
 ///
@@ -27,7 +31,7 @@ namespace riprap::contact {
 class CornerFoot {
  public:
     /// @param per_area  K [N/m^3]
-    CornerFoot(const PlacedShape& a, const PlacedShape& b, double per_area);
+    CornerFoot(const PlacedShape& a, const PlacedShape& b, double per_area, Corners corners);
 
     double share() const { return faces_.share * fit_; }
     /// True where sigma is 1 here and nearby, so that E_p is not asked for.
@@ -61,6 +65,7 @@ class CornerFoot {
     Wrench push(const Slopes& slopes) const;
     double stiffness() const { return per_area_ * patch_.area; }
     void weigh();
+    void fit_to_width(Corners corners);
     Vec3 middle(const PatchPoint& p) const;
 
     const PlacedShape &a_, &b_;
@@ -73,7 +78,8 @@ class CornerFoot {
     PatchPoint pull_{};       ///< M^-1 sum_c theta_c/(2 pi) max(d_c, 0)^2 (q_c - s) [m]
     double mean_square_{0};   ///< sum_c theta_c/(2 pi) max(d_c, 0)^2 [m^2]
     double fit_{0};           ///< t [-]
-    double fit_by_ratio_{0};  ///< dt/d(D/W) [-]
+    double fit_by_least_{0};  ///< dt/dD [1/m]
+    double fit_by_room_{0};   ///< dt/dW [1/m]
     double room_{0};          ///< W [m]
     bool is_narrow_{false};   ///< W is the width of the patch
 };

@@ -63,9 +63,9 @@ Vec3 direction(const NormalContact& normal) {
 
 bool find_push(const PressedShape& a, const PressedShape& b, const DistancePotentialOptions& options,
                SeparatingCache& cache, NormalContact& normal) {
-    return has_feet(options)
-               ? find_with_foot(CornerFoot(a.placed, b.placed, stiffness_per_area(a, b)), a, b, options, cache, normal)
-               : find_potential(a, b, options, cache, normal);
+    return has_feet(options) ? find_with_foot(CornerFoot(a.placed, b.placed, stiffness_per_area(a, b), options.corners),
+                                              a, b, options, cache, normal)
+                             : find_potential(a, b, options, cache, normal);
 }
 
 void DistancePotentialPhysics::meet(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const {
@@ -82,7 +82,7 @@ void DistancePotentialPhysics::meet(const Candidate& pair, SeparatingCache& cach
         is_surely_apart(pair.a.shape, pair.a.frame, pair.b.shape, pair.b.frame, cache)) {
         return;
     }
-    const CornerFoot foot(a.placed, b.placed, stiffness_per_area(a, b));
+    const CornerFoot foot(a.placed, b.placed, stiffness_per_area(a, b), options.corners);
     if (!find_with_foot(foot, a, b, options, cache, normal)) {
         return;
     }

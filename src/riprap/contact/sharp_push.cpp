@@ -11,9 +11,10 @@ namespace {
 /// Half of the thickness of a planar prism [m].
 constexpr double half_thickness = 0.5;
 
-/// cos of the least angle between the normals of two faces of a part whose edges are sharp: 30 degrees, so that prisms
-/// of twelve sides have corners and discs of 64 none.
-constexpr double bluntest = 0.8660254037844386;
+/// cos of the least angle between the normals of two faces of a part whose edges are sharp: 29 degrees, between the 30
+/// of regular prisms of twelve sides, which have corners, and the 27.7 of those of thirteen, so that no last digit
+/// decides.
+constexpr double bluntest = 0.8746197071393957;
 
 /// (E_1/E_0)^(1-p): roughly the depth over l from which on a corner pushes as a punch [-].
 constexpr double shallow = 0.005;

@@ -15,8 +15,8 @@ namespace riprap::parallel::detail {
 /// been enough: where other programs want the cores, what it waits for is itself waiting for a core.
 class Patience {
  public:
-    /// Looks until `is_there()` or for some 100 us; true where it came. False at once where looking has not been worth
-    /// it.
+    /// Looks until `is_there()`, for some 100 us at most, and returns whether it came. Where waits like this one have
+    /// mostly been in vain, returns at once.
     template <class IsThere>
     bool look(const IsThere& is_there) {
         if (trust_ == 0 && ++refusals_ % probe_every != 0) {

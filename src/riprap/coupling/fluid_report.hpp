@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "riprap/coupling/particle_walls/wall_passages.hpp"
+#include "riprap/coupling/wall_passages.hpp"
 #include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/particle/particle_scheme.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,6 +20,14 @@ constexpr double most_friction = 89.999;  // degrees
 constexpr const char* ratio = "a Poisson's ratio from -1 to 0.5";
 constexpr const char* friction_range = "an angle in degrees from 0 to below 90";
 
+/// Elements that are read; Loadpointlist apart, each once.
+const std::vector<std::string_view> settings{"Analysistype",    "Planestrain",  "Numtimesteps", "Maxtimestep",
+                                             "Maxdisplacement", "Autopenalty",  "AConstants",   "Blockmaterial",
+                                             "Jointproperties", "Loadpointlist"};
+const std::vector<std::string_view> of_material{"Unitmass",     "Unitweight", "Youngsmod",
+                                                "Poissonratio", "Istress",    "Ivelocity"};
+const std::vector<std::string_view> of_joint{"Friction", "Cohesion", "Tensile"};
+
 /// Tells which of two words an attribute is; another one is a problem.
 bool is_first_of(const MarkupElement& element, std::string_view key, std::string_view one, std::string_view other,
                  Numbers& numbers) {
@@ -32,11 +41,16 @@ bool is_first_of(const MarkupElement& element, std::string_view key, std::string
     return true;
 }
 
-/// Reports a second element of the same name and type.
+/// Reports a second element of the same name among those `known`, of materials and joints of the same type: one of both
+/// would go unread.
 void refuse_second(const std::vector<MarkupElement>& elements, const MarkupElement& parent,
-                   const MarkupElement& element, Numbers& numbers) {
-    const auto type_of = [](const MarkupElement& one) {
-        const Word* word = one.attribute("type");
+                   const MarkupElement& element, const std::vector<std::string_view>& known, Numbers& numbers) {
+    if (std::find(known.begin(), known.end(), element.name) == known.end() || element.name == "Loadpointlist") {
+        return;
+    }
+    const bool is_typed = element.name == "Blockmaterial" || element.name == "Jointproperties";
+    const auto type_of = [is_typed](const MarkupElement& one) {
+        const Word* word = is_typed ? one.attribute("type") : nullptr;
         return word == nullptr ? std::string_view{} : word->text;
     };
     for (const std::size_t child : parent.children) {
@@ -46,8 +60,8 @@ void refuse_second(const std::vector<MarkupElement>& elements, const MarkupEleme
         }
         if (other.name == element.name && type_of(other) == type_of(element)) {
             numbers.report({element.name, element.line, element.column},
-                           fmt::format("a second <{}> of type {}; the first is in line {}", element.name,
-                                       quote(type_of(element)), other.line),
+                           fmt::format("a second <{}>{}; the first is in line {}", element.name,
+                                       is_typed ? fmt::format(" of type {}", quote(type_of(element))) : "", other.line),
                            "each once");
             return;
         }
@@ -59,6 +73,7 @@ DdaMaterial read_material(const std::vector<MarkupElement>& elements, const Mark
     DdaMaterial material;
     for (const std::size_t child : list.children) {
         const MarkupElement& element = elements[child];
+        refuse_second(elements, list, element, of_material, numbers);
         if (element.name == "Unitmass") {
             material.density = numbers.value_in(element, 0, HUGE_VAL, not_negative);
         } else if (element.name == "Unitweight") {
@@ -72,9 +87,7 @@ DdaMaterial read_material(const std::vector<MarkupElement>& elements, const Mark
         } else if (element.name == "Ivelocity") {
             material.velocity = numbers.list<3>(element);
         } else {
-            take_unread(elements, element,
-                        {"Unitmass", "Unitweight", "Youngsmod", "Poissonratio", "Istress", "Ivelocity"}, numbers,
-                        notes);
+            take_unread(elements, element, of_material, numbers, notes);
         }
     }
     return material;
@@ -85,6 +98,7 @@ DdaJointProperties read_joint(const std::vector<MarkupElement>& elements, const 
     DdaJointProperties joint;
     for (const std::size_t child : list.children) {
         const MarkupElement& element = elements[child];
+        refuse_second(elements, list, element, of_joint, numbers);
         if (element.name == "Friction") {
             joint.friction_angle = numbers.value_in(element, 0, most_friction, friction_range) * std::numbers::pi / 180;
         } else if (element.name == "Cohesion") {
@@ -92,7 +106,7 @@ DdaJointProperties read_joint(const std::vector<MarkupElement>& elements, const 
         } else if (element.name == "Tensile") {
             joint.tension = numbers.value_in(element, 0, HUGE_VAL, not_negative);
         } else {
-            take_unread(elements, element, {"Friction", "Cohesion", "Tensile"}, numbers, notes);
+            take_unread(elements, element, of_joint, numbers, notes);
         }
     }
     return joint;
@@ -200,10 +214,7 @@ void read_setting(const std::vector<MarkupElement>& elements, const MarkupElemen
     } else if (element.name == "Loadpointlist") {
         read_loads(elements, element, numbers, analysis.loads);
     } else {
-        take_unread(elements, element,
-                    {"Analysistype", "Planestrain", "Numtimesteps", "Maxtimestep", "Maxdisplacement", "Autopenalty",
-                     "AConstants", "Blockmaterial", "Jointproperties", "Loadpointlist"},
-                    numbers, analysis.notes);
+        take_unread(elements, element, settings, numbers, analysis.notes);
     }
 }
 
@@ -219,9 +230,7 @@ void read_marked_analysis(std::string_view bytes, const std::string& file, Probl
             }
             has_analysis = true;
             for (const std::size_t child : element.children) {
-                if (elements[child].name == "Blockmaterial" || elements[child].name == "Jointproperties") {
-                    refuse_second(elements, element, elements[child], numbers);
-                }
+                refuse_second(elements, element, elements[child], settings, numbers);
                 read_setting(elements, elements[child], numbers, analysis);
             }
         }

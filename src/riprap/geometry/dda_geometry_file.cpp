@@ -14,6 +14,14 @@ using namespace dda_text;
 
 namespace {
 
+/// Reports a line that ends where it begins.
+void refuse_no_length(const Vec2& begin, const Vec2& end, const Word& word, Numbers& numbers) {
+    if (begin == end && !numbers.has_problems()) {
+        numbers.report(word, fmt::format("a line from ({:.9g}, {:.9g}) to the same point", begin.x, begin.y),
+                       "two ends apart");
+    }
+}
+
 void read_points(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
                  std::vector<Vec2>& points) {
     for (const std::size_t child : list.children) {
@@ -22,14 +30,23 @@ void read_points(const std::vector<MarkupElement>& elements, const MarkupElement
     }
 }
 
+/// The two ends of a line. One without length would be left out when blocks are cut, unsaid.
+PlanarJoint read_line(const MarkupElement& element, Numbers& numbers, std::int32_t type) {
+    const auto [x1, y1, x2, y2] = numbers.list<4>(element);
+    if (!element.words.empty()) {
+        refuse_no_length({x1, y1}, {x2, y2}, element.words.front(), numbers);
+    }
+    return {{x1, y1}, {x2, y2}, type};
+}
+
 void read_geometry_list(const std::vector<MarkupElement>& elements, const MarkupElement& list, Numbers& numbers,
                         DdaGeometry& geometry) {
     if (list.name == "Edgenodedist") {
         geometry.snap = numbers.amount(list, "distance");
     } else if (list.name == "Jointlist") {
         for (const std::size_t child : list.children) {
-            const auto [x1, y1, x2, y2] = numbers.list<4>(elements[child]);
-            geometry.joints.push_back({{x1, y1}, {x2, y2}, numbers.whole(elements[child], "type")});
+            const std::int32_t type = numbers.whole(elements[child], "type");
+            geometry.joints.push_back(read_line(elements[child], numbers, type));
         }
     } else if (list.name == "Fixedpointlist") {
         for (const std::size_t child : list.children) {
@@ -51,8 +68,7 @@ void read_geometry_list(const std::vector<MarkupElement>& elements, const Markup
         read_points(elements, list, numbers, geometry.seismic_points);
     } else if (list.name == "Boltlist") {
         for (const std::size_t child : list.children) {
-            const auto [x1, y1, x2, y2] = numbers.list<4>(elements[child]);
-            geometry.bolts.push_back({{x1, y1}, {x2, y2}, 0});
+            geometry.bolts.push_back(read_line(elements[child], numbers, 0));
         }
     } else if (list.name == "Matlinelist") {
         note_unused(geometry.notes, list);  // blocks of a section are of one material
@@ -94,11 +110,15 @@ void read_bare_lines(TextReader& reader, Numbers& numbers, std::int64_t count, b
                      std::vector<PlanarJoint>& lines) {
     for (std::int64_t k = 0; k < count && !numbers.has_problems(); ++k) {
         PlanarJoint line;
-        line.begin.x = numbers.number(reader.next_word(), "x of a begin");
+        const Word first = reader.next_word();
+        line.begin.x = numbers.number(first, "x of a begin");
         line.begin.y = numbers.number(reader.next_word(), "y of a begin");
         line.end.x = numbers.number(reader.next_word(), "x of an end");
         line.end.y = numbers.number(reader.next_word(), "y of an end");
         line.type = has_type ? static_cast<std::int32_t>(numbers.count(reader.next_word(), "a type")) : 0;
+        if (has_type) {  // a fixed point is a line without length
+            refuse_no_length(line.begin, line.end, first, numbers);
+        }
         lines.push_back(line);
     }
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "riprap/core/index.hpp"
+#include "riprap/geometry/cut_end.hpp"
 #include "riprap/geometry/height_grid.hpp"
 #include "riprap/geometry/line_ends.hpp"
 #include "riprap/geometry/marks_of_nothing.hpp"
@@ -192,9 +193,13 @@ HeightGrid read_esri_ascii(std::string_view text, const std::string& file, doubl
     check_line_ends(lines_of(reader), grid.columns, grid.rows, file);
     const double nodata = no_height.mark.value_or(head.nodata.value_or(-9999));
     TextReader heights = reader;
+    CutEnd end;
+    Word last;
     for (std::int64_t row = grid.rows - 1; row >= 0; --row) {
         for (std::int64_t column = 0; column < grid.columns; ++column) {
             const Word word = reader.next_word();
+            last = word;
+            end.add(word.text);
             const bool is_nan = std::isnan(nodata) && is_same_keyword(word.text, "nan");
             const double z = is_nan ? none : number_of(file, word, "a height");
             grid.z[riprap::at(row * grid.columns + column)] = is_nan || is_same_mark(z, nodata) ? none : scale * z;
@@ -203,6 +208,10 @@ HeightGrid read_esri_ascii(std::string_view text, const std::string& file, doubl
     if (const Word more = reader.next_word(); !more.is_empty()) {
         refuse_at(file, more, fmt::format("more than the {} heights of the head", grid.columns * grid.rows),
                   "ncols times nrows numbers");
+    }
+    if (end.is_cut(text)) {
+        refuse_at(file, last, "the last height has fewer digits than those above it, and the file ends in it",
+                  "the whole file; a line end after the last row where that is whole");
     }
     const auto mark = no_height.is_certain
                           ? std::nullopt

@@ -66,6 +66,31 @@ bool is_other_quantity(std::string_view word) {
     return is_one_of(word, words);
 }
 
+bool is_quantity_of_title(std::string_view word) {
+    constexpr std::array<std::string_view, 21> words{"velocity",
+                                                     "velocities",
+                                                     "speed",
+                                                     "speeds",
+                                                     "acceleration",
+                                                     "accelerations",
+                                                     "accelerogram",
+                                                     "geschwindigkeit",
+                                                     "geschwindigkeiten",
+                                                     "beschleunigung",
+                                                     "beschleunigungen",
+                                                     "vitesse",
+                                                     "vitesses",
+                                                     "acc\xC3\xA9l\xC3\xA9ration",
+                                                     "pressure",
+                                                     "pressures",
+                                                     "druck",
+                                                     "moment",
+                                                     "moments",
+                                                     "torque",
+                                                     "rotation"};
+    return is_one_of(word, words);
+}
+
 bool is_no_unit(std::string_view text) {
     constexpr std::array<std::string_view, 24> words{"-",     "",         "east",       "north",    "west",  "south",
                                                      "up",    "upward",   "upwards",    "down",     "right", "left",

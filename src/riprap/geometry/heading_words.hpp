@@ -17,6 +17,9 @@ std::vector<std::string> words_of(std::string_view text);
 /// velocity, depth, diameter, period, step, ...
 bool is_other_quantity(std::string_view word);
 
+/// True for a word by which a title says that rows are of another quantity: velocity, acceleration, pressure, ...
+bool is_quantity_of_title(std::string_view word);
+
 /// True for text in brackets that says something else than a unit: "-", a number, a direction ("east", "up"), a datum.
 bool is_no_unit(std::string_view text);
 

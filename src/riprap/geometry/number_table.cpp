@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "riprap/geometry/cut_end.hpp"
 #include "riprap/geometry/table_heading.hpp"
 #include "riprap/geometry/table_line.hpp"
 #include "riprap/geometry/text_reader.hpp"
@@ -75,7 +76,7 @@ class DecimalMarks {
 class TableReader {
  public:
     TableReader(std::string_view text, const std::string& file, const TableForm& form)
-        : lines_(text), form_(form), headings_(file, form) {
+        : text_(text), lines_(text), form_(form), headings_(file, form) {
         table_.file = file;
         table_.width = form.columns.size();
         if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
@@ -96,6 +97,7 @@ class TableReader {
             problem.allowed = headings_.wanted();
             throw CaseError(std::move(problem));
         }
+        check_end();
         marks_.check();
         check_counter();
         check_count();
@@ -142,6 +144,10 @@ class TableReader {
         const std::size_t wanted = is_open_ ? std::max(count_, table_.width) : choice_.is_named ? count_ : table_.width;
         if (choice_.is_named && found < wanted && found > *std::ranges::max_element(choice_.take)) {
             found = wanted;  // empty cells at the end, which are not read
+            is_short_ = true;
+            ++short_rows_;
+        } else {
+            is_short_ = false;
         }
         if (found != wanted) {
             check_cells(found, wanted);
@@ -155,6 +161,8 @@ class TableReader {
             table_.places.push_back(cell.column);
         }
         table_.lines.push_back(lines_.number());
+        end_.add(cells_.back().text);
+        last_column_ = cells_.back().column;
         is_separated_by_commas_ = is_separated_by_commas_ || !cells_.front().may_have_decimal_comma;
         if (is_open_ && count_ > table_.width) {
             follow_counter();
@@ -204,6 +212,20 @@ class TableReader {
         const double value = table_.values[table_.values.size() - table_.width];
         is_counted_ = is_counted_ && (table_.lines.size() == 1 || value == last_ + 1);
         last_ = value;
+    }
+
+    /// Refuses a file that was cut within its last row, as far as the rows before it tell.
+    void check_end() const {
+        const bool ends_a_line = text_.ends_with('\n') || text_.ends_with('\r');
+        const bool is_alone_short = !ends_a_line && is_short_ && short_rows_ == 1 && table_.row_count() > 1;
+        if (is_alone_short || end_.is_cut(text_)) {
+            throw CaseError(Diagnostic{
+                {table_.file, table_.lines.back(), last_column_},
+                is_alone_short
+                    ? std::string("the last row is shorter than all others, and the file ends in it")
+                    : std::string("the last number has fewer digits than those above it, and the file ends in it"),
+                "the whole file; a line end after the last row where that is whole"});
+        }
     }
 
     /// Columns beyond those wanted, without a heading that says which are which.
@@ -257,6 +279,7 @@ class TableReader {
         return number && *number >= 0;
     }
 
+    std::string_view text_;
     LineReader lines_;
     const TableForm& form_;
     TableHeadings headings_;
@@ -266,7 +289,11 @@ class TableReader {
     ColumnChoice choice_;
     std::size_t count_{0};  ///< of columns in the first row
     bool is_open_{false}, is_counted_{true}, is_separated_by_commas_{false};
-    bool may_be_count_{false};  ///< the first row is of whole numbers, without names above it
+    CutEnd end_;
+    std::uint32_t last_column_{1};  ///< of the text, where the last cell begins
+    std::size_t short_rows_{0};     ///< without cells at their end, which are not read
+    bool is_short_{false};          ///< the last row is one of them
+    bool may_be_count_{false};      ///< the first row is of whole numbers, without names above it
     double last_{0};
 };
 

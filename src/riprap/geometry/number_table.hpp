@@ -73,7 +73,8 @@ struct NumberTable {
 ///   mm"), are given to TableForm::unit. One in brackets must be known.
 ///
 /// @throws CaseError with file:line:column for anything else: a cell that is no finite number, rows of another number
-/// of columns, text between rows, no row at all, a first row that counts the others, UTF-16, too many rows.
+/// of columns, text between rows, no row at all, a file cut within its last row (CutEnd), a first row that counts the
+/// others, UTF-16, too many rows.
 NumberTable read_number_table(std::string_view text, const std::string& file, const TableForm& form);
 
 /// "3 rows; t 0 to 2 s, x -0.1 to 0.1 m, y 0 m": what was read, for someone who gave the table.

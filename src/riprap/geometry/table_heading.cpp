@@ -95,7 +95,8 @@ std::size_t TableHeadings::column_in_words(const std::string& name) const {
     return found;
 }
 
-/// Splits "x [mm]", "x (mm)", "x_mm", "x/mm", "x.mm", "x, mm", "x in mm" and "x mm".
+/// Splits "x [mm]", "x (mm)", "x_mm", "x/mm", "x.mm", "x, mm", "x in mm" and "x mm". What divides or multiplies a name
+/// ("x/L", "x*1000") must be a unit, as in brackets.
 HeadingCell TableHeadings::heading_cell(const TableCell& cell, std::uint32_t line) const {
     HeadingCell heading{lower_case(cell.text), "", false, {file_, line, cell.column}, std::string(cell.text)};
     std::string_view text = cell.text;
@@ -118,7 +119,7 @@ HeadingCell TableHeadings::heading_cell(const TableCell& cell, std::uint32_t lin
         heading.column = heading.column != no_column ? heading.column : column_in_words(heading.name);
         return heading;
     }
-    constexpr std::string_view marks = "_/., ";
+    constexpr std::string_view marks = "_/*., ";
     for (std::size_t mark = text.find_first_of(marks, 1); mark < text.size();
          mark = text.find_first_of(marks, mark + 1)) {
         const std::size_t column = column_named(lower_case(trimmed(text.substr(0, mark))));
@@ -129,6 +130,7 @@ HeadingCell TableHeadings::heading_cell(const TableCell& cell, std::uint32_t lin
             const bool is_other = std::any_of(words.begin(), words.end(), is_other_quantity);
             heading.column = is_other ? no_column : column;
             heading.unit = is_other ? "" : unit;
+            heading.is_certain = !is_other && trimmed(text.substr(mark)).find_first_of("/*") == 0;
             return heading;
         }
     }
@@ -261,6 +263,17 @@ void TableHeadings::check_unit(std::size_t column, const HeadingCell& cell) {
     has_unit_[column] = has_unit_[column] || answer.problem.empty();
 }
 
+/// Refuses a title that says of rows without names of their columns that they are of another quantity.
+void TableHeadings::check_quantity(const Line& line) const {
+    for (const std::string& word : words_of(line.text)) {
+        if (is_quantity_of_title(word)) {
+            throw CaseError(Diagnostic{line.place,
+                                       fmt::format("{} speaks of another quantity than {}", quote(line.text), names()),
+                                       fmt::format("a line {} above the rows where they are that", names())});
+        }
+    }
+}
+
 /// Refuses a title that gives columns without a unit of their own one that is not read: "Displacement in mm".
 void TableHeadings::check_title(const Line& line) const {
     for (const std::string_view unit : units_in_words(line.text)) {
@@ -322,6 +335,9 @@ ColumnChoice TableHeadings::choose(std::size_t cell_count) {
     for (const Line& line : lines_) {
         if (!line.is_heading) {
             check_title(line);
+        }
+        if (!line.is_heading && !choice.is_named) {
+            check_quantity(line);
         }
     }
     if (choice.is_named && choice.cell_count > width) {

@@ -60,6 +60,7 @@ class TableHeadings {
     void check_names(const Line& line) const;
     void check_width(const Line& line, std::size_t cell_count) const;
     void check_unit(std::size_t column, const HeadingCell& cell);
+    void check_quantity(const Line& line) const;
     void check_title(const Line& line) const;
 
     std::string file_;

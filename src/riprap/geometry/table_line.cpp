@@ -12,6 +12,24 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
+/// Follows the quotes of a line: one opens where a cell may begin, so that x ["] is a unit and no quote.
+class Quotes {
+ public:
+    /// Takes the next character. @returns whether it stands in quotes; the last quote does not
+    bool hold(char c) {
+        const bool may_open = is_blank(before_) || before_ == ',' || before_ == ';' || before_ == '"';
+        if (c == '"' && (is_inside_ || may_open)) {
+            is_inside_ = !is_inside_;
+        }
+        before_ = c;
+        return is_inside_;
+    }
+
+ private:
+    char before_{','};
+    bool is_inside_{false};
+};
+
 /// Marks that separate the cells of one line.
 struct Separators {
     bool has_semicolon{false}, has_comma{false}, has_tab{false};
@@ -21,15 +39,12 @@ struct Separators {
 
 Separators look_at(std::string_view line) {
     Separators found;
-    bool is_quoted = false;
+    Quotes quotes;
     char before = ',';  // of the last character that is no blank
     bool after_blank = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
         const char c = line[i];
-        if (c == '"') {
-            is_quoted = !is_quoted;
-        }
-        if (is_quoted) {
+        if (quotes.hold(c)) {
             before = c;
             after_blank = false;
             continue;
@@ -71,13 +86,11 @@ TableCell trimmed(std::string_view line, std::size_t begin, std::size_t end, boo
 template <class IsMark>
 void split_at(std::string_view line, bool may_have_decimal_comma, IsMark is_mark, std::vector<TableCell>& cells) {
     std::size_t begin = 0;
-    bool is_quoted = false;
+    Quotes quotes;
     for (std::size_t i = 0; i <= line.size(); ++i) {
-        if (i == line.size() || (!is_quoted && is_mark(line[i]))) {
+        if (i == line.size() || (!quotes.hold(line[i]) && is_mark(line[i]))) {
             cells.push_back(trimmed(line, begin, i, may_have_decimal_comma));
             begin = i + 1;
-        } else if (line[i] == '"') {
-            is_quoted = !is_quoted;
         }
     }
 }
@@ -97,10 +110,9 @@ void join_units(std::string_view line, std::vector<TableCell>& cells) {
 }
 
 std::string_view without_comment(std::string_view line) {
-    bool is_quoted = false;
+    Quotes quotes;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        is_quoted = line[i] == '"' ? !is_quoted : is_quoted;
-        if (line[i] == '#' && !is_quoted) {
+        if (!quotes.hold(line[i]) && line[i] == '#') {
             return line.substr(0, i);
         }
     }

@@ -105,17 +105,6 @@ class Unpacker {
     std::size_t at_{0};
 };
 
-/// Says which version of Riprap writes a format that this one does not read, and what is new in the one it reads.
-std::string writer_of(std::uint32_t version) {
-    if (version == 1) {
-        return "that of Riprap 0.1 and 0.2, without what verdicts remember";
-    }
-    if (version == 3) {
-        return "that of a Riprap on the way to 0.3, without the slip of bonds";
-    }
-    return version > checkpoint_version ? "that of a later Riprap" : "that of no Riprap";
-}
-
 FieldType to_field_type(const Unpacker& in, std::uint8_t code) {
     if (code < static_cast<std::uint8_t>(FieldType::float64) || code > static_cast<std::uint8_t>(FieldType::uint8)) {
         in.refuse("unknown field type " + std::to_string(code));
@@ -191,11 +180,13 @@ Checkpoint Checkpoint::parse(std::string bytes, const std::string& name) {
     checkpoint.header_.step = in.get<std::int64_t>("header");
     checkpoint.header_.time = in.get<double>("header");
     in.check(0, "header");
-    if (version != checkpoint_version) {
-        throw CheckpointError("checkpoint '" + name + "' has format version " + std::to_string(version) + ", " +
-                              writer_of(version) + "; this Riprap reads version " + std::to_string(checkpoint_version) +
+    if (version < 1 || version > checkpoint_version) {
+        throw CheckpointError("checkpoint '" + name + "' has format version " + std::to_string(version) + ", that of " +
+                              std::string(writer_of(version)) + "; this Riprap reads versions 1 to " +
+                              std::to_string(checkpoint_version) +
                               ": continue the run with the version that wrote it, or begin it anew with --force");
     }
+    checkpoint.version_ = version;
     if (file_bytes != checkpoint.bytes_.size()) {
         in.refuse(std::string(checkpoint.bytes_.size() < file_bytes ? "truncated" : "bytes follow its end") +
                   ", the file has " + std::to_string(checkpoint.bytes_.size()) + " bytes, its header says " +

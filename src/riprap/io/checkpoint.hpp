@@ -24,10 +24,13 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/fields.hpp"
+#include "riprap/io/old_formats.hpp"
 
 namespace riprap::io {
 
-inline constexpr std::uint32_t checkpoint_version = 4;  ///< 4: with the slip of bonds
+/// Format that is written. Older ones are read too: what they lack begins anew (io/old_formats.hpp).
+/// 2: what verdicts remember; 3: deep pairs; 4: slip of bonds; 5: ways of walls that water was not told of.
+inline constexpr std::uint32_t checkpoint_version = 5;
 
 /// Header of a checkpoint.
 struct CheckpointHeader {
@@ -73,6 +76,8 @@ class Checkpoint {
     static Checkpoint read(const std::filesystem::path& path);
 
     const CheckpointHeader& header() const { return header_; }
+    std::uint32_t version() const { return version_; }  ///< format of the file
+    bool is_old() const { return version_ < checkpoint_version; }
     const std::vector<Section>& sections() const { return sections_; }
     const Section* find(std::string_view name) const;
     const std::string& name() const { return name_; }
@@ -84,6 +89,7 @@ class Checkpoint {
     Checkpoint() = default;
     std::string bytes_, name_;  // sections_ point into bytes_: movable, not copyable
     CheckpointHeader header_;
+    std::uint32_t version_{checkpoint_version};
     std::vector<Section> sections_;
 };
 
@@ -121,7 +127,8 @@ const Section& require_section(const Checkpoint& checkpoint, std::string_view na
 [[noreturn]] void refuse_count(const Checkpoint& checkpoint, const Section& section, std::uint64_t expected);
 
 /// Fills every field of a State from its section. Where the State at hand already has a field of known length (one
-/// entry per body) that length is required: `fixed_length(name)` says so.
+/// entry per body) that length is required: `fixed_length(name)` says so. A field that the format of the file did not
+/// have keeps what it is, or is zero for each entry of the field that it belongs to.
 /// @param prefix  with which the names of the sections begin; `fixed_length` is asked without it
 /// @throws CheckpointError when a section is missing or has another type or length
 template <class State, class FixedLength>
@@ -129,6 +136,15 @@ void restore(const Checkpoint& checkpoint, State& state, FixedLength&& fixed_len
     State::visit_fields(state, [&](std::string_view name, auto& field) {
         const std::string full = std::string(prefix) + std::string(name);
         using Field = std::remove_cvref_t<decltype(field)>;
+        if (const LaterField* later = later_field(checkpoint.version(), name)) {
+            if constexpr (is_field_array<Field>) {
+                if (!later->belongs_to.empty()) {
+                    const Section* rows = checkpoint.find(std::string(prefix) + std::string(later->belongs_to));
+                    field.assign(rows == nullptr ? 0 : static_cast<std::size_t>(rows->count), {});
+                }
+            }
+            return;
+        }
         if constexpr (is_field_array<Field>) {
             using Entry = typename Field::value_type;
             using Traits = FieldTraits<Entry>;

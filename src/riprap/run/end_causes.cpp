@@ -56,6 +56,16 @@ std::string step_that_sees(const Refused& refused) {
     return fmt::format("{} sees it, and \"auto\" chooses such a step", assignment_below("time_step", step));
 }
 
+/// Returns the load that alone gives its body more than the allowed speed within this step; null where none does.
+const body::PointLoad* load_beyond(const Refused& refused, double allowed) {
+    const body::BodySet& bodies = refused.model.bodies;
+    const auto found = std::ranges::find_if(refused.model.loads, [&](const body::PointLoad& load) {
+        const double speed = norm(load.at(refused.after.time)) / bodies.mass[at(load.body.value)] * refused.report.dt;
+        return is_free(bodies, load.body, refused.before.time) && !(speed <= allowed);
+    });
+    return found == refused.model.loads.end() ? nullptr : &*found;
+}
+
 /// A finite speed that the case gives is no fault of the step.
 std::string speed_or_step(const Refused& refused) {
     const sim::Model& model = refused.model;
@@ -80,6 +90,11 @@ std::string speed_or_step(const Refused& refused) {
     if (const double pull = norm(model.gravity.at(refused.before.time)); pull * refused.report.dt > allowed) {
         return fmt::format("{} m/s^2 or less keeps what falls for the whole run within solid.max_speed",
                            assignment_below("gravity", allowed / model.time.end));
+    }
+    if (const body::PointLoad* const load = load_beyond(refused, allowed); load != nullptr) {
+        const double mass = model.bodies.mass[at(load->body.value)];
+        return fmt::format("a force of {:.2g} N or less on '{}' keeps it within solid.max_speed for the whole run",
+                           allowed * mass / model.time.end, model.bodies.name(load->body));
     }
     constexpr double nearly = 0.8;  // a body that was as fast a step before has its speed from the case
     return fastest > nearly * allowed
@@ -192,7 +207,9 @@ constexpr std::array causes{
              "In a `time_step` of the case a body goes farther than it or what it comes to is thick.",
              "a shorter `time_step`", step_that_sees},
     EndCause{"fast_body", "allowed: finite,", "A body is faster than `solid.max_speed`, or its speed is no number.",
-             "`solid.max_speed` where the case gives that speed, else a shorter step", speed_or_step},
+             "`solid.max_speed` where the case gives that speed, less force where a load gives it in one step, else a "
+             "shorter step",
+             speed_or_step},
     EndCause{"open_and_close", "open and close without end", "Contacts of a DDA open and close in turn within a step.",
              "more rounds of `solid.open_close`; a shorter step where there are many", more_rounds_or_a_shorter_step},
     EndCause{"long_way", "a corner moves",
@@ -227,12 +244,13 @@ constexpr std::array causes{
              "thicker walls, a smaller `fluid.spacing`, or less force", as_the_method_says},
     EndCause{"made_energy", "the numerics made", "The energy of the water grows out of nothing.",
              "`fluid.sound_speed` where water is pressed together, else a smaller `fluid.courant`", made_advice},
-    EndCause{
-        "ledger", "the energy ledger misses", "The energy of the scene does not add up.",
-        "what made it: the stiffness of a contact that is deep, `time_step = \"auto\"` for a step above its bound, "
-        "a shorter step of the side that misses it, `output.ledger_tolerance` where the case asks for more than "
-        "its methods give",
-        ledger_advice},
+    EndCause{"ledger", "the energy ledger misses", "The energy of the scene does not add up.",
+             "what made it: the stiffness of a contact that is deep, `solid.youngs_modulus` of blocks that are "
+             "strained far, "
+             "`time_step = \"auto\"` for a step above its bound, a shorter step of the side that misses it, "
+             "`output.ledger_tolerance` where the case asks for more than "
+             "its methods give",
+             ledger_advice},
 };
 
 }  // namespace

@@ -20,8 +20,8 @@
 #include "riprap/run/member_table.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/sweep.hpp"
-#include "riprap/scene/build/check_spreads.hpp"
-#include "riprap/scene/build/random_stream.hpp"
+#include "riprap/scene/assemble/check_spreads.hpp"
+#include "riprap/scene/assemble/random_stream.hpp"
 
 namespace riprap::run {
 

@@ -60,6 +60,39 @@ std::string shorter_water_step(const Refused& refused) {
                                               : shorter_step(refused);
 }
 
+/// Largest strain of a block, in the step before this one and in it [-].
+double largest_strain(const Refused& refused) {
+    double largest = 0;
+    for (const body::BodyState* const bodies : {&refused.before.bodies, &refused.after.bodies}) {
+        for (const Sym3& u : bodies->stretch) {
+            for (const double part : {u.xx - 1, u.yy - 1, u.zz - 1, u.xy, u.xz, u.yz}) {
+                largest = std::isfinite(part) ? std::max(largest, std::abs(part)) : largest;
+            }
+        }
+    }
+    return largest;
+}
+
+/// Energy goes with the square of the strain: the modulus with which blocks that are strained too far for the linear
+/// elasticity of the method take up the same energy; empty where they are not.
+std::string stiffer_blocks(const Refused& refused) {
+    constexpr double far = 0.05, near = 0.02;
+    const double strain = largest_strain(refused);
+    return std::visit(
+        [&](const auto& settings) -> std::string {
+            if constexpr (requires { settings.elasticity.youngs_modulus; }) {
+                return strain > far
+                           ? fmt::format("{}: a block is strained by {:.2g}, where the method takes small strains",
+                                         assignment("solid.youngs_modulus",
+                                                    std::pow(strain / near, 2) * settings.elasticity.youngs_modulus),
+                                         strain)
+                           : "";
+            }
+            return "";
+        },
+        refused.model.solid);
+}
+
 }  // namespace
 
 double fastest_water(const Refused& refused) {
@@ -112,6 +145,9 @@ std::string ledger_advice(const Refused& refused) {
         if (std::string advice = stiffness_advice(refused, shallow); !advice.empty()) {
             return advice;
         }
+    }
+    if (std::string advice = stiffer_blocks(refused); !advice.empty()) {
+        return advice;
     }
     const double share = std::abs(ledger.residual) / std::max(ledger.turnover, ledger.kinetic + ledger.fluid.kinetic);
     if (const double usual = sim::OutputSettings{}.ledger_tolerance; share < usual && share > 0) {

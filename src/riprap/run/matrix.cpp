@@ -18,7 +18,7 @@
 #include "riprap/run/method_scales.hpp"
 #include "riprap/run/missing_physics.hpp"
 #include "riprap/run/simulation.hpp"
-#include "riprap/scene/build/complete_solid.hpp"
+#include "riprap/scene/assemble/complete_solid.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 

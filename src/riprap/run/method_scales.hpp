@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "riprap/scene/build/variations.hpp"
+#include "riprap/scene/assemble/variations.hpp"
 #include "riprap/sim/settings.hpp"
 
 namespace riprap::run {

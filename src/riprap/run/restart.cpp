@@ -142,6 +142,10 @@ sim::State restore_state(const io::Checkpoint& checkpoint, const sim::Model& mod
                name == "open.entered" || name == "open.left";
     };
     io::restore(checkpoint, state, has_fixed_length, prefix);
+    if (checkpoint.is_old()) {  // walls may have other samples by now: those near are found anew
+        state.coupling.near_samples.clear();
+        state.coupling.near_travel = sim::State{}.coupling.near_travel;
+    }
     if (!take_up_old_totals(accounts_of(model), state.ledger)) {
         refuse(checkpoint, fmt::format("section '{}ledger.totals' has {} entries, the case needs {}", prefix,
                                        state.ledger.totals.size(), initial.ledger.totals.size()));
@@ -182,7 +186,8 @@ Attempt try_checkpoint(const fs::path& path, const sim::Model& model, const sim:
     }
     try {
         const io::Checkpoint checkpoint = io::Checkpoint::read(path);
-        if (checkpoint.header().case_hash == model.case_hash) {
+        // An older version resolves the same case to other defaults, so its hash says nothing.
+        if (checkpoint.is_old() || checkpoint.header().case_hash == model.case_hash) {
             return {restore_checkpoint(checkpoint, model, initial), {}};
         }
     } catch (const CheckpointError& error) {
@@ -211,7 +216,13 @@ void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim
 }
 
 Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial) {
-    Restart restart{restore_state(checkpoint, model, initial, {}), {}, {}};
+    Restart restart{restore_state(checkpoint, model, initial, {}), {}, {}, checkpoint.is_old()};
+    if (restart.is_upgraded) {
+        restart.notice = fmt::format(
+            "checkpoint '{}' is of {}: the run goes on by the rules and defaults of this version, so its bits are not "
+            "those that the other would have given",
+            checkpoint.name(), io::writer_of(checkpoint.version()));
+    }
     const auto any_length = [](std::string_view) { return false; };
     io::restore(checkpoint, restart.record, any_length);
     check_record(checkpoint, model, restart.record);
@@ -243,8 +254,9 @@ Restart load_checkpoint(const RunFolder& folder, const sim::Model& model, const 
     if (is_gone && is_gone != std::errc::no_such_file_or_directory) {
         throw io::file_error("put aside", folder.checkpoint_latest(), is_gone.value());
     }
-    previous.restart->notice = fmt::format("{}; continuing from the checkpoint before, at step {}", latest.reason,
-                                           previous.restart->state.step);
+    const std::string upgrade = previous.restart->notice;
+    previous.restart->notice = fmt::format("{}; continuing from the checkpoint before, at step {}{}{}", latest.reason,
+                                           previous.restart->state.step, upgrade.empty() ? "" : "; ", upgrade);
     return std::move(*previous.restart);
 }
 

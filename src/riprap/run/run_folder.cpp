@@ -12,7 +12,7 @@
 #include "riprap/io/output/output_kinds.hpp"
 #include "riprap/io/own_file.hpp"
 #include "riprap/run/provenance.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::run {
 

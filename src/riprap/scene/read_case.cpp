@@ -10,16 +10,18 @@
 
 #include "riprap/core/fields.hpp"
 #include "riprap/io/output/output_kinds.hpp"
-#include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/check_spreads.hpp"
-#include "riprap/scene/build/choose_contact.hpp"
-#include "riprap/scene/build/complete_solid.hpp"
-#include "riprap/scene/build/expand_records.hpp"
-#include "riprap/scene/build/variations.hpp"
+#include "riprap/scene/assemble/build_case.hpp"
+#include "riprap/scene/assemble/check_spreads.hpp"
+#include "riprap/scene/assemble/choose_contact.hpp"
+#include "riprap/scene/assemble/complete_solid.hpp"
+#include "riprap/scene/assemble/expand_records.hpp"
+#include "riprap/scene/assemble/variations.hpp"
+#include "riprap/scene/keys/check_counts.hpp"
 #include "riprap/scene/keys/check_keys.hpp"
-#include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/shapes/shape_library.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
+#include "riprap/scene/warnings/density_warnings.hpp"
 #include "riprap/scene/warnings/distant_bodies.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
 #include "riprap/sim/advance.hpp"
@@ -29,7 +31,7 @@ namespace riprap::scene {
 
 namespace {
 
-/// @param unseen  what comes after this and has not been looked at
+/// @param unseen  names what was not checked, as it needs what is wrong here
 void throw_if_any(std::vector<Diagnostic>& problems, std::string unseen) {
     if (problems.empty()) {
         return;

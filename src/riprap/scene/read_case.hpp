@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,13 +8,7 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
-#include "riprap/scene/build/paddle_wave.hpp"
-#include "riprap/sim/model.hpp"
-#include "riprap/sim/state.hpp"
-
-namespace riprap::io {
-struct OutputChoices;
-}
+#include "riprap/scene/loaded_case.hpp"
 
 namespace riprap::scene {
 
@@ -30,28 +22,6 @@ class PartlySeenCaseError : public CaseError {
 
  private:
     std::string unseen_;
-};
-
-/// A file that the case reads besides itself (a surface, a table), with the path as the case writes it.
-struct InputFile {
-    std::string path;       ///< relative to the folder of the case, no "..", no links out of it
-    std::uint64_t hash{0};  ///< of the bytes
-};
-
-/// A case ready to run.
-struct LoadedCase {
-    sim::Model model;
-    sim::State state;                            ///< at t = 0; sim::initialise has not been called
-    std::string folder;                          ///< of the case file; relative paths start here
-    std::string source_text;                     ///< the case file as read
-    std::string resolved_toml;                   ///< every key with its value in SI, defaults and overrides included
-    std::string resolved_json;                   ///< the same as JSON
-    std::vector<InputFile> inputs;               ///< other files read, sorted by path
-    std::vector<std::string> warnings;           ///< worth knowing, no reason to stop
-    std::vector<std::string> notes;              ///< what was read from other programs' files
-    std::vector<std::string> overrides;          ///< as they were given
-    std::vector<PaddleWave> waves;               ///< that paddles are to make
-    std::shared_ptr<io::OutputChoices> outputs;  ///< files of a run
 };
 
 /// Reads a case file (docs/reference/case-file.md) into Model and State.

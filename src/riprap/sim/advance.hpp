@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "riprap/coupling/particle_walls/wall_passages.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
+#include "riprap/coupling/wall_passages.hpp"
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -72,9 +72,9 @@ struct StepReport {
     std::int64_t water_passes{0};       ///< force passes of the water: more than one where light bodies need it
     double water_residual{0};           ///< of the accelerations of light bodies, over |a| + |g| [-]
     std::int64_t solver_iterations{0};  ///< of the fluid's pressure equation, all passes and spans
-    double solver_residual{0};          ///< of it, over its right-hand side, the largest of the spans [-]
-    bool is_water_settled{true};        ///< false where that iteration ended for want of passes
-    double max_water_speed{0};          ///< [m/s]
+    double solver_residual{0};    ///< residual of that equation over its right-hand side, largest of the spans [-]
+    bool is_water_settled{true};  ///< false where water_residual was still too large after the last pass
+    double max_water_speed{0};    ///< [m/s]
     double water_dt_bound{std::numeric_limits<double>::infinity()};  ///< what the water allows a step that is fixed [s]
     coupling::WallPassages through_walls;                            ///< particles of water that went through bodies
     std::string intruder;  ///< a moving body among the layers of an opening, and which; empty = none

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -14,19 +15,35 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// "NAME[word]rest" in its parts.
+/// "NAME[word]rest" or "NAME[word level]rest" in its parts.
 struct Bracketed {
     std::string_view name, word, rest;
+    double level{0};
 };
+
+/// The level of "above 0.33"; nothing where the rest is no number.
+std::optional<double> level_in(std::string_view text) {
+    double level = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
+    const bool is_all = error == std::errc{} && end == text.data() + text.size() && std::isfinite(level);
+    return is_all ? std::optional(level) : std::nullopt;
+}
 
 std::optional<Bracketed> split_brackets(std::string_view text) {
     const std::size_t open = text.find('['), close = text.find(']');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
         return std::nullopt;
     }
-    const Bracketed parts{text.substr(0, open), text.substr(open + 1, close - open - 1), text.substr(close + 1)};
+    Bracketed parts{text.substr(0, open), text.substr(open + 1, close - open - 1), text.substr(close + 1)};
+    const std::size_t blank = parts.word.find(' ');
+    if (blank != std::string_view::npos) {
+        const std::optional<double> level = level_in(parts.word.substr(blank + 1));
+        parts.word = level ? parts.word.substr(0, blank) : std::string_view{};
+        parts.level = level.value_or(0);
+    }
     const bool is_group = std::find(group_words.begin(), group_words.end(), parts.word) != group_words.end();
-    return is_group ? std::optional(parts) : std::nullopt;
+    const bool is_whole = (parts.word == "above") == (blank != std::string_view::npos);
+    return is_group && is_whole ? std::optional(parts) : std::nullopt;
 }
 
 /// Adds the columns of all bodies of one entry, of one body where it is no list; false where there is no such quantity.
@@ -106,8 +123,8 @@ std::optional<ColumnGroup> find_columns(const Model& model, std::string_view tex
         const std::optional<Column> column = find_column(model, text);
         return column ? std::optional(ColumnGroup{{}, {*column}}) : std::nullopt;
     }
-    ColumnGroup group{*std::find(group_words.begin(), group_words.end(), parts->word),
-                      columns_of_bodies(model, *parts)};
+    ColumnGroup group{*std::find(group_words.begin(), group_words.end(), parts->word), columns_of_bodies(model, *parts),
+                      parts->level};
     if (group.columns.empty()) {
         if (std::optional<Profile> profile = find_profile(model, fmt::format("{}{}", parts->name, parts->rest))) {
             group.columns = std::move(profile->columns);
@@ -118,6 +135,7 @@ std::optional<ColumnGroup> find_columns(const Model& model, std::string_view tex
     }
     for (Column& column : group.columns) {
         column.name = std::string(text);
+        column.unit = group.word == "above" ? "-" : column.unit;
     }
     return group;
 }
@@ -126,20 +144,22 @@ double evaluate(const ColumnGroup& group, const Moment& moment) {
     if (group.word.empty()) {
         return evaluate(group.columns.front(), moment);
     }
-    double sum = 0, least = std::numeric_limits<double>::infinity(), largest = -least;
+    double sum = 0, above = 0, least = std::numeric_limits<double>::infinity(), largest = -least;
     for (const Column& column : group.columns) {
         const double value = evaluate(column, moment);
         if (std::isnan(value)) {
             return missing;
         }
         sum += value;
+        above += value > group.level ? 1 : 0;
         least = std::min(least, value);
         largest = std::max(largest, value);
     }
-    return group.word == "mean"  ? sum / static_cast<double>(group.columns.size())
-           : group.word == "sum" ? sum
-           : group.word == "min" ? least
-                                 : largest;
+    return group.word == "mean"    ? sum / static_cast<double>(group.columns.size())
+           : group.word == "sum"   ? sum
+           : group.word == "above" ? above
+           : group.word == "min"   ? least
+                                   : largest;
 }
 
 double evaluate(const Profile& profile, double place, const Moment& moment) {

@@ -13,21 +13,24 @@
 
 namespace riprap::sim {
 
-/// Words in brackets behind a name, and how the numbers of all are taken together.
-inline constexpr std::array<std::string_view, 4> group_words{"mean", "sum", "min", "max"};
+/// Words in brackets behind a name, and how the numbers of all are taken together. "above" is followed by a level:
+/// how many of them are above it.
+inline constexpr std::array<std::string_view, 5> group_words{"mean", "sum", "min", "max", "above"};
 
 /// Columns of one quantity and the number that they make together.
 struct ColumnGroup {
     std::string_view word;  ///< of group_words; empty: the one column itself
     std::vector<Column> columns;
+    double level{0};  ///< of "above" [unit of the quantity]
 };
 
 /// Finds what an expected answer names: one column as find_column does, or "NAME[mean].position.x" of all bodies called
 /// NAME[0], NAME[1], ..., "NAME,OTHER[mean].position.x" of those of several entries, or "NAME[mean]" and "NAME[mean].x"
-/// of the gauges NAME_1, NAME_2, ... of a profile.
+/// of the gauges NAME_1, NAME_2, ... of a profile; "NAME[above 0.3].displacement.y" is the number of bodies above.
 std::optional<ColumnGroup> find_columns(const Model& model, std::string_view text);
 
-/// Returns mean, sum, least or largest of the columns [their unit]; NaN where one of them has no value.
+/// Returns mean, sum, least or largest of the columns [their unit], or how many are above; NaN where one of them has no
+/// value.
 double evaluate(const ColumnGroup& group, const Moment& moment);
 
 /// Gauges along a line.

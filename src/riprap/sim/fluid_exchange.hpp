@@ -19,46 +19,6 @@ struct FluidSpan {
     double work_on_free{0};  ///< on free bodies, as the fluid sees it [J]
 };
 
-/// Predicts the motion of all bodies at the beginning and in the middle of a span that begins `since` seconds after the
-/// State, from its velocities, what they gained over earlier spans and the guessed accelerations.
-void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction);
-/// Fills the motion in the middle of the span anew, from the present guess.
-void predict_middle(const Model& model, const TimeSpan& span, Prediction& prediction);
-
-/// Adds the velocity that free bodies gain over a span under the loads of the fluid. The work that spans of the fluid
-/// count, each with its own loads and velocities, is then that of their mean loads over the step of the solids.
-void note_gain(const Model& model, const State& state, const body::Loads& loads, double dt, Prediction& prediction);
-
-/// Begins the ways of a step of length dt: the fluid has seen none yet, and has the last step to catch up with.
-void begin_ways(const Model& model, const State& state, double dt, Prediction& prediction);
-/// Adds the way of a span of length dt as the fluid saw it, and notes what its density was not told of it.
-void note_way(double dt, Prediction& prediction, coupling::CouplingState& coupling);
-/// Leads the accelerations that the fluid is told next along the way on which bodies went from `before` to `after` in a
-/// trial of the step under `loads`. Tells whether contacts made that another way than it was told, by a thousandth of
-/// their acceleration and gravity. @param feedback  of Fluid: the bodies whose accelerations are iterated
-bool go_another_way(const Model& model, const body::BodyState& before, const body::BodyState& after, double dt,
-                    const body::Loads& loads, std::span<const double> feedback, Prediction& prediction,
-                    coupling::CouplingState& coupling);
-/// Notes what the fluid did not see of the step that took free bodies from `before` to the State: an impact within the
-/// step, a contact that became stiffer. Walls of particles make up for it over the next step, so that the work of the
-/// water and that on the bodies differ by
-///
-///     F_N d_N - sum_n (F_n - F_(n-1)) d_(n-1),
-///
-/// F_n the load of step n and d_n the way that it missed: nothing adds up under an even load.
-void note_missed_way(const body::BodyState& before, const Prediction& prediction, State& state);
-
-/// Returns the accelerations over the last step: the first guess of this one.
-std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling);
-
-/// Returns the acceleration of a body under the loads of the fluid plus what else accelerated it in the last step, none
-/// along axes that it is locked along.
-body::Acceleration response(const body::BodySet& bodies, const coupling::CouplingState& coupling,
-                            const body::BodyKinematics& kinematics, const body::Loads& loads, std::size_t b);
-
-/// Returns a moment of inertia of every body, the mean of the principal ones [kg m^2].
-std::vector<double> mean_inertia(const body::BodySet& bodies);
-
 /// Adds pressure and viscosity, within the plane of a planar scene.
 void add_up(const body::BodySet& bodies, const coupling::FluidLoads& loads, body::Loads& sum);
 
@@ -83,7 +43,7 @@ WorkDone work_done(const body::BodyState& before, const body::BodyState& after, 
 void note_accelerations(const Model& model, const body::BodyState& before, const body::BodyKinematics& kinematics,
                         const body::Loads& loads, double dt, State& state);
 
-/// Lets pushes of contacts that are over not go on in the next step: where the last contact loads are less than half of
+/// Keeps impacts that are over out of the next step: where the last contact loads are less than half of
 /// what else than the fluid accelerated a body over the step, or against it, they take its place. An impact is shorter
 /// than a step of the fluid; expected once more, the fluid would do its work on a motion that the body does not make.
 void forget_impacts(const Model& model, const body::BodyKinematics& kinematics, const body::Loads& contacts, double dt,

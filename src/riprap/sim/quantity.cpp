@@ -194,8 +194,8 @@ double evaluate(const Column& column, const Moment& moment) {
 }
 
 std::string unit_in(std::string_view unit, bool is_planar) {
-    constexpr std::array<std::string_view, 12> extensive{"N",  "N m",    "N s",    "N m s",    "J",   "W",
-                                                         "kg", "kg m/s", "kg m^2", "kg m^2/s", "m^3", "m^3/s"};
+    constexpr std::array<std::string_view, 13> extensive{
+        "N", "N m", "N s", "N m s", "J", "W", "kg", "kg m/s", "kg m^2", "kg m^2/s", "m^3", "m^3/s", "m^5/s^2"};
     const bool is_extensive = std::find(extensive.begin(), extensive.end(), unit) != extensive.end();
     return std::string(unit) + (is_planar && is_extensive ? "/m" : "");
 }

@@ -17,7 +17,7 @@
 #include "riprap/run/run_case.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/simulation.hpp"
-#include "riprap/scene/build/variations.hpp"
+#include "riprap/scene/assemble/variations.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 #include "riprap/validation/compared_runs.hpp"
 #include "riprap/validation/cross/scene.hpp"
@@ -29,15 +29,24 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Tells whether a case says what it expects, read without parsing: a listing must not fail on a broken case.
-bool has_answers(const fs::path& file) {
+/// What a listing tells of a case.
+struct Facts {
+    bool has_answers{false};  ///< it says what it expects
+    bool is_long{false};
+};
+
+/// Reads them line by line, without parsing: a listing must not fail on a broken case.
+Facts facts_of(const fs::path& file) {
+    Facts facts;
+    bool is_at_top = true;
     std::ifstream in(file);
     for (std::string line; std::getline(in, line);) {
-        if (line.rfind("[[expect]]", 0) == 0) {
-            return true;
-        }
+        is_at_top = is_at_top && line.rfind('[', 0) != 0;
+        const bool is_true = line.find("true") < line.find('#');
+        facts.is_long = facts.is_long || (is_at_top && line.rfind("long ", 0) == 0 && is_true);
+        facts.has_answers = facts.has_answers || line.rfind("[[expect]]", 0) == 0;
     }
-    return false;
+    return facts;
 }
 
 /// The folder of the runs, gone with it where nobody asked to keep them.
@@ -133,18 +142,43 @@ void report_answer(const scene::Value& expect, const json& found, const std::str
     report.judge(reference, value, low, high, close_band(expect, reference.exact.value_or(0.5 * (low + high))));
 }
 
-/// Returns the answers of a run and what was expected there.
+/// Replaces the values of answers by their means over several runs; one that a run did not come to has none.
+void take_means(std::vector<json>& answers) {
+    for (std::size_t i = 0; i < answers.front().size(); ++i) {
+        double sum = 0;
+        for (const json& run : answers) {
+            const json& value = run.at(i).at("value");
+            sum += value.is_number() ? value.get<double>() : std::nan("");
+        }
+        answers.front()[i]["value"] = sum / static_cast<double>(answers.size());
+    }
+}
+
+/// Returns the answers of a run, or their means over all seeds, and what was expected there.
 RunAnswers run_variation(const CaseSetting& setting, const scene::Variation& variation, const fs::path& out,
                          CaseReport& report) {
-    scene::LoadedCase loaded = scene::read_case((setting.folder / "case.toml").string(), variation.overrides);
+    const std::string file = (setting.folder / "case.toml").string();
+    scene::LoadedCase loaded = scene::read_case(file, variation.overrides);
     std::vector<Diagnostic> ignored;
     const scene::Value checked = scene::parse_toml(loaded.resolved_toml, "the resolved case", ignored);
-    const scene::Value* expects = checked.find("expect");
-    const json answers = answers_of(std::move(loaded), out, setting.after_step);
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        report_answer(expects->items.at(i), answers[i], variation.label, report);
+    const auto whole = [&checked](const char* key) {
+        const scene::Value* given = checked.find(key);
+        return given != nullptr ? given->integer : 1;
+    };
+    const std::int64_t first = whole("seed"), count = whole("seeds");
+    std::vector<json> answers{answers_of(std::move(loaded), out, setting.after_step)};
+    for (std::int64_t k = 1; k < count; ++k) {
+        std::vector<std::string> overrides = variation.overrides;
+        overrides.push_back(fmt::format("seed={}", first + k));
+        const fs::path beside = out.parent_path() / fmt::format("{}_seed_{}", out.filename().string(), first + k);
+        answers.push_back(answers_of(scene::read_case(file, overrides), beside, setting.after_step));
     }
-    return answers_of_run(*expects, answers, variation);
+    take_means(answers);
+    const scene::Value* expects = checked.find("expect");
+    for (std::size_t i = 0; i < answers.front().size(); ++i) {
+        report_answer(expects->items.at(i), answers.front()[i], variation.label, report);
+    }
+    return answers_of_run(*expects, answers.front(), variation);
 }
 
 }  // namespace
@@ -161,9 +195,10 @@ std::vector<ValidationCase> file_cases(std::span<const ValidationCase> coded) {
         const bool is_coded = std::any_of(coded.begin(), coded.end(), [&](const ValidationCase& one) {
             return one.suite == suite && one.name == name;
         });
-        if (!is_coded && suite != cross::suite && has_answers(known.file)) {
+        const Facts facts = facts_of(known.file);
+        if (!is_coded && suite != cross::suite && facts.has_answers) {
             const std::string_view kept_suite = texts.emplace_back(suite), kept_name = texts.emplace_back(name);
-            cases.push_back({kept_suite, kept_name, texts.emplace_back(known.title), false, run_case_file});
+            cases.push_back({kept_suite, kept_name, texts.emplace_back(known.title), facts.is_long, run_case_file});
         }
     }
     return cases;

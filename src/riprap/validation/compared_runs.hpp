@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "riprap/scene/build/variations.hpp"
+#include "riprap/scene/assemble/variations.hpp"
 #include "riprap/validation/result.hpp"
 
 namespace riprap::validation {

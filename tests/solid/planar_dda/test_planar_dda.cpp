@@ -192,6 +192,26 @@ TEST(PlanarDda, CornersMeetAtTheEntranceWithTheLargerGap) {
     EXPECT_NEAR(contacts[0].gap.value, 0.01, 1e-12);
 }
 
+TEST(PlanarDda, CornersThatMeetInLineWithEachOtherBearHalfAtBothOfTheirFaces) {
+    // The width of a unit square is 2A/P = 0.5: gaps within 5e-7 are equal.
+    for (const double beside : {0.0, 4e-7, 6e-7}) {
+        Blocks blocks;
+        blocks.add_box({0, 0}, {1, 1}, true);
+        blocks.add_box({1.01, 1.01 + beside}, {1, 1});
+        blocks.settings.displacement_limit = 0.02;
+        std::vector<Vec2> corners;
+        ContactSearch search;
+        std::vector<Contact> contacts;
+        place_corners(blocks.model, blocks.state, corners);
+        find_contacts(blocks.model, blocks.state, blocks.settings, corners, search, contacts);
+        ASSERT_EQ(contacts.size(), beside < 5e-7 ? 2U : 1U) << beside;
+        for (const Contact& contact : contacts) {
+            EXPECT_EQ(contact.share, beside < 5e-7 ? 0.5 : 1.0);
+            EXPECT_EQ(contact.corner, contacts[0].corner);  // of one corner, so that they make no couple
+        }
+    }
+}
+
 TEST(PlanarDda, FacesThatEndTogetherBearHalfAtEitherCornerAndPreferNoBlock) {
     const auto shares = [](double width) {
         Blocks blocks;

@@ -203,6 +203,9 @@ CommonPlane common_plane(const PlacedHull& a, const PlacedHull& b, const PlaneFe
         }
     }
     share_plane(a, b, tolerance, plane);
+    if ((before.kind == PlaneKind::link || before.kind == PlaneKind::none) && plane.gap < tolerance) {
+        share_plane_of_tips(a, b, tolerance, plane);
+    }
     return plane;
 }
 

@@ -14,7 +14,8 @@ enum class PlaneKind : std::uint8_t {
     face_b,  ///< parallel to a face of B
     faces,   ///< halfway between a face of A and one of B that are equally good
     edges,   ///< parallel to an edge of A and an edge of B
-    link     ///< across the shortest link of two features that do not overlap (vertex to vertex or to edge)
+    link     ///< across the shortest link of two features that do not overlap (vertex to vertex or to edge), or of two
+             ///< tips that have met since: see share_plane_of_tips
 };
 
 /// Which face, or which two edges, fix a plane. Survives from step to step: the direction is computed again from it.
@@ -65,8 +66,15 @@ CommonPlane common_plane_search(const PlacedHull& a, const PlacedHull& b);
 /// without a memory. The old feature is kept while its gap is within 1e-6 of the smaller body's size of the best, so
 /// that a symmetric contact does not jump between equal planes. Where a face of A and one of B give the same gap (to
 /// the same share), the plane lies halfway between them: neither body is preferred, and what is symmetric stays so.
+/// Likewise between all planes as good where two tips meet, which had no plane before but a link.
 /// @param reach  bodies farther apart than this are no contact: returns the first plane found that shows it [m]
 CommonPlane common_plane(const PlacedHull& a, const PlacedHull& b, const PlaneFeature& before, double reach);
+
+/// Puts the plane of two bodies that overlap halfway between all planes as good as it, where these differ: where a tip
+/// meets a tip (or an edge) that it is aligned with, their faces and edges all around are as good, and either of them
+/// alone would throw what is symmetric to its side. Leaves the plane where no other is as good.
+/// @param tolerance  of the gaps [m]
+void share_plane_of_tips(const PlacedHull& a, const PlacedHull& b, double tolerance, CommonPlane& plane);
 
 /// Finds the common plane with a direction as memory: the normal of the last step, zero where there was none.
 CommonPlane common_plane_near(const PlacedHull& a, const PlacedHull& b, const Vec3& before, double reach);

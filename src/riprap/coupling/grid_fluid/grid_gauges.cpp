@@ -5,6 +5,7 @@
 
 #include "riprap/coupling/grid_fluid/carried_water.hpp"
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
+#include "riprap/fluid/gauge/turbulence_reader.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/read.hpp"
@@ -18,7 +19,7 @@ using fluid::grid::at;
 using fluid::grid::Mesh;
 
 /// The water of a grid as gauges read it, with the share of cells that solids leave to it.
-struct Reader : fluid::WaterReader {
+struct Reader : fluid::WaterReader, fluid::TurbulenceReader {
     const GridFluidSettings& settings;
     const GridFluidFields& fields;
     const fluid::grid::GridState& water;
@@ -218,13 +219,19 @@ struct Reader : fluid::WaterReader {
         }
         return part;
     }
-    double volume(const Vec3& low, const Vec3& high) const override {
+    /// Sum over the water in a box of `times(cell)` times its volume.
+    template <class Times>
+    double sum_in_box(const Vec3& low, const Vec3& high, const Times& times) const {
         return fluid::grid::reduce_cells(
             mesh().box, 0.0,
             [&](std::int64_t c, int i, int j, int k) {
-                return covered(low, high, {i, j, k}) * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k);
+                return covered(low, high, {i, j, k}) * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k) *
+                       times(c);
             },
             fluid::grid::sum_of);
+    }
+    double volume(const Vec3& low, const Vec3& high) const override {
+        return sum_in_box(low, high, [](std::int64_t) { return 1.0; });
     }
     /// Mean over the water in a box of a vector of each cell, by volume; zero without water.
     template <class Value>
@@ -308,6 +315,10 @@ struct Reader : fluid::WaterReader {
                        mesh().volume(i, j, k);
             },
             fluid::grid::sum_of);
+    }
+    double turbulent_energy(const Vec3& low, const Vec3& high) const override {
+        const std::vector<double>& k = water.turbulent_energy;
+        return k.empty() ? 0 : sum_in_box(low, high, [&k](std::int64_t c) { return k[at(c)]; });
     }
     /// In front of a face: half a cell away from it, and the weight of water back to it.
     double wall_pressure() const override {

@@ -15,7 +15,7 @@
 
 namespace riprap::coupling {
 
-/// Who takes part in joints.
+/// Marks the bodies between which joints are looked for.
 struct JointSolids {
     std::span<const std::uint8_t> is_still;  ///< per body: never moves; all of these are one solid
     std::span<const std::uint8_t> is_loose;  ///< per body: forces move it, now or once it is released
@@ -33,7 +33,7 @@ struct JointSide {
     std::int32_t joint;  ///< number in JointPairs::joints
 };
 
-/// A four as one of a unit.
+/// A group of four samples as a member of a unit.
 struct JointSlot {
     std::int32_t four;
     std::int32_t unit;   ///< number in JointPairs::units

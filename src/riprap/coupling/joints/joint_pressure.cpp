@@ -26,8 +26,9 @@ bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::
     });
 }
 
-/// u of a sample in a joint: what the water found there leaves to do. Particles that press harder than the joint count
-/// for as much more of the room as they do: squeezed between two faces they hold a pressure that a film would let go.
+/// Returns u of a sample in a joint, the share of the joint's pressure that particles found there do not bring. Those
+/// that press harder than the joint count for as much more of its room: squeezed between two faces they keep a pressure
+/// that a film of water would lose.
 double left_to_do(const JointWater& here, double water, double joint) {
     return joint > 0 ? std::max(0.0, 1 - (1 - here.dry_share) * std::max(1.0, water / joint)) : here.dry_share;
 }
@@ -217,7 +218,7 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
     }
 }
 
-/// Finds the pressure in a joint, and what the water found there leaves to do.
+/// Finds the pressure in a joint, and the share of it that particles found there do not bring.
 template <class Real>
 void JointStep<Real>::press(const JointPairs& pairs, const JointSums<Real>& sums, const JointScene& scene,
                             std::size_t joint) {

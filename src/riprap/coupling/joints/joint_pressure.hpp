@@ -27,9 +27,9 @@ struct JointSolids;
 /// i and j of different solids, at least one of them loose: what water in place of j would do, opposite for both sides.
 /// The second term brings opposite faces, n_i . n_j < -1/2, together along
 /// n_ij = (n_i - n_j)/|n_i - n_j|, s being the gap between them up to dp, from there on 2 dp less the gap and at last
-/// 0; so a block that lifts off is not held down while no particle fits under it yet. u, from 1 to 0, is what the water
-/// found in the joint leaves to do: 1 - (1 - u_room) max(1, p_water/p) with the share u_room of the room that it leaves
-/// (JointWater::dry_share), so that the face feels p whatever particles that are half in hold.
+/// 0; so a block that lifts off is not held down while no particle fits under it yet. u, from 1 to 0, is the share of p
+/// that particles found in the joint do not bring: 1 - (1 - u_room) max(1, p_water/p) with the share u_room of the room
+/// that they leave (JointWater::dry_share), so that the face feels p in all, whatever their own pressure is.
 ///
 /// p follows from the rim r, where the solids end, by a mean that is exact for steady flow along a joint that is a line
 /// (linear between its ends) or a disk (Poisson's formula) of even opening:

@@ -8,7 +8,7 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/body/motion.hpp"
 #include "riprap/coupling/particle_walls/touch.hpp"
-#include "riprap/coupling/particle_walls/wall_passages.hpp"
+#include "riprap/coupling/wall_passages.hpp"
 
 namespace riprap::coupling {
 

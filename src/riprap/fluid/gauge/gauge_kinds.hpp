@@ -2,6 +2,7 @@
 #pragma once
 
 #include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/fluid/gauge/turbulence_reader.hpp"
 
 // Kinds of gauges. Each makes its numbers of readings of the water, whatever the fluid; one line in `all_gauges`
 // registers it. Words, units, help, checks and columns of a case are made from that list, and a fluid reads a kind
@@ -134,9 +135,34 @@ inline constexpr GaugeKind wall_pressure_gauge{
     "transducer in it reads it; it stays with the body, reads 0 while covered and nothing before the first step",
     [](const Gauge& /*gauge*/, const WaterReader& water) -> GaugeReading { return {water.wall_pressure()}; }};
 
+inline constexpr GaugeKind overhang_gauge{
+    "overhang",
+    "m",
+    1,
+    GaugeExtent::line,
+    reading::surface | reading::run_up,
+    "length of the line from where water from its point on first ends to where water ends for the last time: an "
+    "upright "
+    "line passes air below water in a breaker or a jet",
+    [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+        return {water.surface(gauge.point, gauge.end) - water.run_up(gauge.point, gauge.end)};
+    }};
+
+inline constexpr GaugeKind turbulent_energy_gauge{
+    "turbulent_energy",
+    "m^5/s^2",
+    1,
+    GaugeExtent::box,
+    reading::turbulence,
+    "k of the water in the box between point and end, summed over its volume; times the density it is the energy",
+    [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
+        return {dynamic_cast<const TurbulenceReader&>(water).turbulent_energy(gauge.point, gauge.end)};
+    }};
+
 /// Every kind, in the order of the manual.
-inline constexpr std::array all_gauges{&pressure_gauge,      &velocity_gauge,   &level_gauge,   &surface_gauge,
-                                       &run_up_gauge,        &flow_gauge,       &volume_gauge,  &centre_gauge,
-                                       &mean_velocity_gauge, &flow_error_gauge, &changed_gauge, &wall_pressure_gauge};
+inline constexpr std::array all_gauges{
+    &pressure_gauge, &velocity_gauge,      &level_gauge,    &surface_gauge,         &run_up_gauge,
+    &flow_gauge,     &volume_gauge,        &centre_gauge,   &mean_velocity_gauge,   &flow_error_gauge,
+    &changed_gauge,  &wall_pressure_gauge, &overhang_gauge, &turbulent_energy_gauge};
 
 }  // namespace riprap::fluid

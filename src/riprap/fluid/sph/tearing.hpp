@@ -33,10 +33,11 @@ RIPRAP_HD inline bool may_leave_walls(double bareness, double bareness_alone, do
 ///     max(0, rho_0 - rho)                 where it may leave a wall,
 ///     max(0, (1 - 0.01/b) rho_0 - rho)    elsewhere, nothing where b = 0.
 ///
-/// Water in air holds no tension, but continuity makes one of c_0^2 (rho - rho_0) where particles fly apart: 2 % of the
-/// density stop them at v = 0.02 c_0, and 7 % pay for two that fall together, where the kernel has no slope left to
-/// part them. And a wall does not pull: where a stream passes its edge, continuity takes the wall that is left behind
-/// for water that thins out. Tearing takes energy of compression away and gives none (docs/theory/sph.md, 4).
+/// Water in air holds no tension, but continuity makes one of c_0^2 (rho - rho_0) where particles fly apart. A lack of
+/// 2 % of the density stops particles that part at v = 0.02 c_0; one of 7 % draws two of them into one place, where the
+/// kernel has no slope left to part them. And a wall does not pull: where a stream passes its edge, continuity takes
+/// the wall that is left behind for water that thins out. Tearing takes energy of compression away and gives none
+/// (docs/theory/sph.md, 4).
 ///
 /// @param bareness      b: 1 at the surface, 0 inside [-]
 /// @param leaves_wall   what may_leave_walls says

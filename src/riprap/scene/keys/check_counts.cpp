@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/keys/check_counts.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::scene {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "riprap/scene/keys/check_value.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/text/suggest.hpp"
 
 namespace riprap::scene {

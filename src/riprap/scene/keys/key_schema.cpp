@@ -6,7 +6,7 @@
 
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/key_text.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::scene {
 

@@ -8,7 +8,7 @@
 
 #include "riprap/scene/keys/check_value.hpp"
 #include "riprap/scene/keys/key_table.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/sim/quantity.hpp"
 
 namespace riprap::scene {

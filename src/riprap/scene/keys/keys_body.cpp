@@ -2,8 +2,8 @@
 // Rows of the key table: bodies, loads on them and their repetition.
 #include "riprap/scene/keys/freedom_words.hpp"
 #include "riprap/scene/keys/key_table.hpp"
-#include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::scene {
 

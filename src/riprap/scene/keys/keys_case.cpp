@@ -6,8 +6,8 @@
 
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/keys_vary.hpp"
-#include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/sim/method_traits.hpp"
 
 namespace riprap::scene {
@@ -111,6 +111,11 @@ Table rows_of_case() {
                       "Friction coefficient of all contacts while bodies settle, instead of theirs: a high one holds "
                       "what would slide, until time 0; none lets a heap lie close."),
          key_or("seed", {integer(0, 9e15)}, Value::of(1), "Seed of everything random in the case."),
+         key_or("seeds", {integer(1, 1000)}, Value::of(1),
+                "`riprap validate` runs the case and each of its variations with so many seeds, from `seed` on, and "
+                "judges the means of answers: of packings, one of which tells little."),
+         key_or("long", {boolean()}, Value::of(false),
+                "It takes many minutes: of a suite, `riprap validate` runs it with --full alone; by its name always."),
          key_or("material", {named_tables(material_table, limits::materials)}, Value::table(),
                 "Materials by name; a case of water alone needs none."),
          key_or("contact", {form::table(contact_table)}, Value::table(), "Contact of two materials."),

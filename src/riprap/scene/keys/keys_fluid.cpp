@@ -2,9 +2,9 @@
 // Rows of the key table: water.
 #include "riprap/scene/keys/flow_tables.hpp"
 #include "riprap/scene/keys/key_table.hpp"
-#include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::scene {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: packs of blocks and jointed rock masses.
 #include "riprap/scene/keys/key_table.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::scene {
 

@@ -205,7 +205,9 @@ const Table& expect_table() {
           "The name of a probe, or a quantity of the scene or of a body, with its component: \"solid.kinetic\", "
           "\"block.position.x\". \"block[mean].position.x\" is the mean over all blocks of one entry, "
           "\"row,top[mean].position.x\" over those of several, \"disc[mean]\" over "
-          "the gauges of a profile; likewise sum, min and max. With a curve along = \"place\" the name of a profile.",
+          "the gauges of a profile; likewise sum, min and max. \"stone[above 0.33].displacement.y\" is the number of "
+          "those "
+          "above a level, in SI. With a curve along = \"place\" the name of a profile.",
           {},
           true},
          {"reduce",

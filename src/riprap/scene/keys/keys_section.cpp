@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of the key table: planar sections cut into blocks along lines.
 #include "riprap/scene/keys/key_table.hpp"
-#include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::scene {
 

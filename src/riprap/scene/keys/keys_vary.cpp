@@ -71,9 +71,10 @@ const Table& vary_table() {
         {optional_key("name", {text()}, "What the runs are called; the key when not given."),
          required_key("key", {text(), list(text(), 1, most_keys)},
                       "Which: the path as for --set, such as \"body.gate.density\" or \"gravity.0\"; or several of "
-                      "them, for rows."),
+                      "them, for rows and words."),
          optional_key("values", {list(number(dimension::plain), 1, most_values)}, "Values of the key, in SI."),
-         optional_key("words", {list(text(), 1, most_values)}, "Texts for the key, such as the words of methods."),
+         optional_key("words", {list(text(), 1, most_values)},
+                      "Texts for the key, such as the words of methods; of several keys the same for all."),
          optional_key("rows", {list(list(number(dimension::plain), 1, most_keys), 1, most_values)},
                       "Of several keys: a row with a value of each for every run, in SI."),
          key_or("full", {boolean()}, Value::of(false), "Only with `riprap validate --full`: for runs that take long."),

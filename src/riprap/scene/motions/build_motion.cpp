@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/build/time_tables.hpp"
+#include "riprap/scene/case/time_tables.hpp"
 #include "riprap/scene/keys/bound_keys.hpp"
+#include "riprap/scene/motions/build_motion.hpp"
 
 namespace riprap::scene {
 

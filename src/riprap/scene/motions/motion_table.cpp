@@ -4,9 +4,9 @@
 
 #include "riprap/body/prescribed_motion.hpp"
 #include "riprap/scene/keys/bound_keys.hpp"
-#include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/sea_words.hpp"
 #include "riprap/scene/motions/paddle_waves.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::scene {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "riprap/scene/build/sea_tables.hpp"
-#include "riprap/scene/build/wave_range.hpp"
+#include "riprap/scene/case/sea_tables.hpp"
+#include "riprap/scene/case/wave_range.hpp"
 
 namespace riprap::scene {
 

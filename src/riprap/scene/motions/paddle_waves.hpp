@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "riprap/core/key.hpp"
-#include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/case/case_build.hpp"
 #include "riprap/wave/wave_maker.hpp"
 
 namespace riprap::scene {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "riprap/scene/keys/bound_keys.hpp"
+#include "riprap/scene/motions/build_motion.hpp"
 #include "riprap/scene/motions/paddle_waves.hpp"
 
 namespace riprap::scene {

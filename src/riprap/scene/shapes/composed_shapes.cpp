@@ -2,9 +2,9 @@
 #include "riprap/scene/shapes/composed_shapes.hpp"
 
 #include "riprap/scene/keys/bound_keys.hpp"
-#include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/keys/words.hpp"
 #include "riprap/scene/shapes/shape_library.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::scene {
 

@@ -15,10 +15,11 @@
 #include "riprap/geometry/stl.hpp"
 #include "riprap/geometry/surface_audit.hpp"
 #include "riprap/geometry/triangle_mesh.hpp"
-#include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/case/case_build.hpp"
+#include "riprap/scene/case/orientation.hpp"
 #include "riprap/scene/keys/words.hpp"
 #include "riprap/scene/shapes/shape_library.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/text/number_files.hpp"
 
 namespace riprap::scene {

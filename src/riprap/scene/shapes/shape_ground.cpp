@@ -17,10 +17,10 @@
 #include "riprap/geometry/sound_part.hpp"
 #include "riprap/geometry/stl.hpp"
 #include "riprap/io/vtp_surface.hpp"
-#include "riprap/scene/build/build_case.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/case/case_build.hpp"
 #include "riprap/scene/keys/words.hpp"
 #include "riprap/scene/shapes/shape_library.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/text/number_files.hpp"
 
 namespace riprap::scene {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -8,9 +9,14 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
-#include "riprap/scene/read_case.hpp"
 
 namespace riprap::scene {
+
+/// A file that the case reads besides itself (a surface, a table), with the path as the case writes it.
+struct InputFile {
+    std::string path;       ///< relative to the folder of the case, no "..", no links out of it
+    std::uint64_t hash{0};  ///< of the bytes
+};
 
 /// The folder of a case, and the only way to read other files from it: no absolute paths, no "..", no links that
 /// lead out, regular files only, within a size limit.

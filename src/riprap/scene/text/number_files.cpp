@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "riprap/scene/keys/limits.hpp"
 #include "riprap/scene/text/heading_units.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/text/units.hpp"
 
 namespace riprap::scene {

@@ -2,27 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/limits.hpp"
+#include "riprap/scene/text/override_paths.hpp"
 #include "riprap/scene/text/suggest.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
-#include "riprap/scene/text/units.hpp"
 
 namespace riprap::scene {
 
 namespace {
-
-std::vector<std::string> split_path(std::string_view path) {
-    std::vector<std::string> steps;
-    std::size_t begin = 0;
-    while (begin <= path.size()) {
-        const std::size_t dot = std::min(path.find('.', begin), path.size());
-        steps.emplace_back(path.substr(begin, dot - begin));
-        begin = dot + 1;
-    }
-    return steps;
-}
 
 void place_all(Value& value, const SourcePlace& place) {
     value.place = place;
@@ -58,29 +46,6 @@ Value read_value(const std::string& text, const SourcePlace& place, std::vector<
     return value;
 }
 
-/// The entry of a list that steps of a path from `first` on mean, by its number or its name: names may hold dots, the
-/// longest that fits counts. `first` becomes the last step that it takes.
-Value* list_entry(Value& list, const std::vector<std::string>& steps, std::size_t& first) {
-    const std::string& step = steps[first];
-    std::size_t index = 0;
-    const auto [end, code] = std::from_chars(step.data(), step.data() + step.size(), index);
-    if (code == std::errc{} && end == step.data() + step.size()) {
-        return index < list.items.size() ? &list.items[index] : nullptr;
-    }
-    for (std::size_t last = steps.size(); last-- > first;) {
-        const std::string called =
-            fmt::format("{}", fmt::join(steps.begin() + static_cast<std::ptrdiff_t>(first),
-                                        steps.begin() + static_cast<std::ptrdiff_t>(last) + 1, "."));
-        for (Value& item : list.items) {
-            if (const Value* name = item.find("name"); name != nullptr && name->text == called) {
-                first = last;
-                return &item;
-            }
-        }
-    }
-    return nullptr;
-}
-
 /// Returns the entries that a step which names no entry of `list` could have meant.
 std::string what_entries(const Value& list, const std::string& step) {
     constexpr std::size_t most = 8;
@@ -111,14 +76,8 @@ std::string what_keys(const Value& table, const std::string& step) {
 
 /// A key given with a unit suffix ("spacing_mm") replaces the same key with another suffix or none.
 void set_key(Value& table, const std::string& key, Value value, const SourcePlace& place) {
-    const auto base_of = [](std::string_view k) {
-        const auto suffixed = split_unit_suffix(k);
-        return suffixed ? suffixed->base : k;
-    };
-    std::erase_if(table.entries, [&](const Entry& entry) {
-        return entry.key != key && (base_of(entry.key) == key || entry.key == base_of(key) ||
-                                    (base_of(key) != key && base_of(entry.key) == base_of(key)));
-    });
+    std::erase_if(table.entries,
+                  [&](const Entry& entry) { return entry.key != key && gives_the_same(key, entry.key); });
     table.set(key, std::move(value), place);
 }
 
@@ -144,13 +103,13 @@ void apply_override(Value& root, const std::string& assignment, std::vector<Diag
     Value* at = &root;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         if (at->is_array()) {
-            const Value* const list = at;
-            at = list_entry(*at, steps, i);
-            if (at == nullptr) {
+            const std::optional<std::size_t> entry = find_entry(*at, steps, i);
+            if (!entry) {
                 problems.push_back(
-                    {place, fmt::format("the list has no entry '{}'", steps[i]), what_entries(*list, steps[i])});
+                    {place, fmt::format("the list has no entry '{}'", steps[i]), what_entries(*at, steps[i])});
                 return;
             }
+            at = &at->items[*entry];
             if (i + 1 == steps.size()) {
                 *at = std::move(value);
                 return;

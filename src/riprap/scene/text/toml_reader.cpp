@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "riprap/core/printable.hpp"
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/text/toml_scan.hpp"
 
 namespace riprap::scene {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "riprap/scene/keys/limits.hpp"
+#include "riprap/scene/text/limits.hpp"
 
 namespace riprap::scene {
 

@@ -6,7 +6,7 @@
 
 #include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
-#include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/warnings/density_warnings.hpp"
 
 namespace riprap::scene {
 

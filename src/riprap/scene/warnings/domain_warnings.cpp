@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "riprap/geometry/clip.hpp"
-#include "riprap/scene/build/placed_part.hpp"
+#include "riprap/scene/case/placed_part.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
 
 namespace riprap::scene {

@@ -8,7 +8,7 @@
 
 #include "riprap/fluid/sph/courant_bound.hpp"
 #include "riprap/fluid/sph/device/device_sph.hpp"
-#include "riprap/scene/build/placed_part.hpp"
+#include "riprap/scene/case/placed_part.hpp"
 
 namespace riprap::scene {
 

@@ -8,7 +8,7 @@
 #include "riprap/coupling/field_scene.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/hydrostatic/settings.hpp"
-#include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/case/case_build.hpp"
 
 namespace riprap::scene {
 

@@ -12,6 +12,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
+#include "riprap/scene/warnings/joined_regions.hpp"
 #include "riprap/scene/warnings/paddle_warnings.hpp"
 
 namespace riprap::scene {
@@ -42,9 +43,14 @@ void warn_of_shallow_regions(CaseBuild& build, const Value& regions, const coupl
         double& least = lowest[at(filling.region[i])];
         least = std::min(least, dot(build.up(), filling.particles.position[i]));
     }
+    std::vector<double> depths(lowest.size());
+    for (std::size_t r = 0; r < lowest.size(); ++r) {
+        depths[r] = filling.regions[r].count > 0 ? filling.regions[r].surface - (lowest[r] - 0.5 * width) : 0;
+    }
+    const std::vector<double> joined = joined_depths(filling, depths, width);
     for (std::size_t r = 0; r < lowest.size() && r < regions.items.size(); ++r) {
-        const double depth = filling.regions[r].surface - (lowest[r] - 0.5 * width);
-        if (filling.regions[r].count > 0 && depth < (least_cells - 1e-6) * width) {
+        const double depth = depths[r];
+        if (filling.regions[r].count > 0 && joined[r] < (least_cells - 1e-6) * width) {
             build.warnings.push_back(to_string(Diagnostic{
                 regions.items[r].place,
                 fmt::format("the water is {:.3g} cells deep: every cell of it lies beside its surface or its "

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warns of walls that hold water at the start and will not: they move out of its domain, or let it through.
+// Warns of walls that hold water at the start and lose it later: they move out of its domain, or let it through.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "riprap/geometry/clip.hpp"
-#include "riprap/scene/build/placed_part.hpp"
+#include "riprap/scene/case/placed_part.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
 
 namespace riprap::scene {

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "riprap/core/error.hpp"
-#include "riprap/scene/build/placed_part.hpp"
+#include "riprap/scene/case/placed_part.hpp"
 
 namespace riprap::scene {
 

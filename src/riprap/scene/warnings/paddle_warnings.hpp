@@ -2,7 +2,7 @@
 #pragma once
 
 #include "riprap/coupling/fill.hpp"
-#include "riprap/scene/build/build_case.hpp"
+#include "riprap/scene/case/case_build.hpp"
 
 namespace riprap::scene {
 

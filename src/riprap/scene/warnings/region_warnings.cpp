@@ -7,7 +7,7 @@
 #include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/coupling/hydrostatic/joint_cover.hpp"
-#include "riprap/scene/build/placed_part.hpp"
+#include "riprap/scene/case/placed_part.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
 
 namespace riprap::scene {

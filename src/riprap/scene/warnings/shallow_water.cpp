@@ -7,6 +7,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
+#include "riprap/scene/warnings/joined_regions.hpp"
 
 namespace riprap::scene {
 
@@ -26,9 +27,14 @@ void warn_of_shallow_water(CaseBuild& build, const Value& regions, const couplin
         highest[r] = std::max(highest[r], height);
     }
     const double least = settings.support_radius() + settings.spacing;
+    std::vector<double> depths(lowest.size());
+    for (std::size_t r = 0; r < lowest.size(); ++r) {
+        depths[r] = filling.regions[r].count > 0 ? highest[r] - lowest[r] + settings.spacing : 0;
+    }
+    const std::vector<double> joined = joined_depths(filling, depths, settings.spacing);
     for (std::size_t r = 0; r < lowest.size() && r < regions.items.size(); ++r) {
-        const double depth = highest[r] - lowest[r] + settings.spacing;
-        if (filling.regions[r].count > 0 && depth < least - 1e-6 * settings.spacing) {
+        const double depth = depths[r];
+        if (filling.regions[r].count > 0 && joined[r] < least - 1e-6 * settings.spacing) {
             build.warnings.push_back(to_string(Diagnostic{
                 regions.items[r].place,
                 fmt::format("the water is {:.3g} spacings deep: every particle lies in reach of both its surface and "

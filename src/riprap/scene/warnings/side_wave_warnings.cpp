@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/scene/build/placed_part.hpp"
+#include "riprap/scene/case/placed_part.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
 
 namespace riprap::scene {

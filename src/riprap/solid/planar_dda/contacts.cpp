@@ -48,8 +48,34 @@ Entrances standing_entrances(const Scene& scene, const Key& first, const Key& se
     return {1, {beyond_ends(g1) < beyond_ends(g2) ? first : second}};
 }
 
+/// Gaps that differ by less than this share of the narrower block's width are one [-].
+constexpr double equal_share = 1e-6;
+
+/// The two ways in at two corners where the one is as good as the other. So it is where aligned tips meet: either way
+/// alone would throw to its side what is symmetric. Both of one corner where that can be, else they make a couple.
+Entrances equal_entrances(const Scene& scene, std::int32_t v, std::int32_t w, const Key& first, const Key& second) {
+    const Model& model = scene.model;
+    const double tolerance =
+        equal_share * std::min(model.width[at(model.corner_block[at(v)])], model.width[at(model.corner_block[at(w)])]);
+    const auto gap = [&scene](const Key& key) { return gap_and_foot(scene, key.first, key.second).gap; };
+    const double largest = std::max(gap(first), gap(second));
+    const auto are_equal = [&](const Key& one, const Key& other) {
+        return std::abs(gap(one) - largest) < tolerance && std::abs(gap(other) - largest) < tolerance;
+    };
+    if (!are_equal(first, second)) {
+        return {};
+    }
+    for (const auto& [one, other] :
+         {std::pair{Key{v, w}, Key{v, scene.before(w)}}, {Key{w, v}, Key{w, scene.before(v)}}}) {
+        if (are_equal(one, other)) {
+            return {2, {one, other}};
+        }
+    }
+    return {2, {first, second}};
+}
+
 /// Two lines at an angle: what a third block hides is none; a closed contact stays the entrance until it opens or is
-/// left; else the larger gap decides.
+/// left; else the larger gap decides, and both are entrances where they are equal.
 Entrances cornered_entrance(const Scene& scene, const Seams& seams, std::int32_t v, std::int32_t w, const Key& first,
                             const Key& second) {
     const Seams::Answer seam = seams.open_entrance(v, w, first, second);
@@ -60,6 +86,13 @@ Entrances cornered_entrance(const Scene& scene, const Seams& seams, std::int32_t
     const GapAndFoot g2 = gap_and_foot(scene, second.first, second.second);
     const bool stays1 = scene.is_closed(first.first, first.second) && is_foot_on_edge(g1);
     const bool stays2 = scene.is_closed(second.first, second.second) && is_foot_on_edge(g2);
+    if (const Entrances both = equal_entrances(scene, v, w, first, second); both.count == 2) {
+        const bool stay1 = scene.is_closed(both.key[0].first, both.key[0].second);
+        const bool stay2 = scene.is_closed(both.key[1].first, both.key[1].second);
+        if (stay1 == stay2 && (stay1 || (!stays1 && !stays2))) {
+            return both;
+        }
+    }
     if (stays1 != stays2) {
         return {1, {stays1 ? first : second}};
     }

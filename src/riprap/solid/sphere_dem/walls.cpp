@@ -9,6 +9,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
+#include "riprap/solid/sphere_dem/way_out.hpp"
 
 namespace riprap::solid::sphere_dem {
 
@@ -87,24 +88,6 @@ double depth_in(const SphereModel& model, const Placed& placed, std::int32_t par
     return geometry::depth_below_faces(shape_of(model, part), transpose_times(frame.axes, x - frame.origin));
 }
 
-/// A way out of a part, through one of its faces.
-struct WayOut {
-    std::int32_t face{-1};
-    double depth{0};  ///< of the point below it [m]
-};
-
-/// Finds the way out of a part from a point, shortest but for one face.
-WayOut next_way_out(const geometry::ConvexView& shape, const Vec3& local, std::int32_t but) {
-    WayOut next;
-    for (std::int32_t f = 0; f < shape.face_count; ++f) {
-        const double depth = shape.offset[f] - dot(shape.normal(f), local);
-        if (f != but && shape.is_internal[f] == 0 && (next.face < 0 || depth < next.depth)) {
-            next = {f, depth};
-        }
-    }
-    return next;
-}
-
 /// Puts the contact on the next way out where the centre is inside the part, behind a face that is covered.
 /// @returns false where it is outside: the part that covers the face holds the sphere
 bool take_next_way_out(const SphereModel& model, const Placed& placed, Touched& one) {
@@ -124,6 +107,20 @@ bool take_next_way_out(const SphereModel& model, const Placed& placed, Touched& 
     return true;
 }
 
+/// Puts the contact between the ways out that are equally short where the centre is inside the part.
+void take_middle_way_out(const geometry::ConvexView& shape, const contact::Frame& frame, const Vec3& centre,
+                         Touched& one) {
+    const MiddleWay way = middle_way_out(shape, transpose_times(frame.axes, centre - frame.origin), one.face);
+    if (way.length > 0) {
+        const Vec3 outward = frame.axes * way.outward;
+        const double depth = dot(one.contact.normal, centre - one.contact.point);
+        one.contact.normal = -outward;
+        one.contact.point = centre + way.length * outward;
+        one.contact.overlap += way.length - depth;
+        one.face = -1;
+    }
+}
+
 Touched touch(const SphereModel& model, const Placed& placed, const contact::PartPair pair) {
     const geometry::ConvexView shape = shape_of(model, pair.b);
     const contact::Frame& frame = placed.part_frame[at(pair.b)];
@@ -137,6 +134,9 @@ Touched touch(const SphereModel& model, const Placed& placed, const contact::Par
     Touched touched{{pair.a, pair.b, found.normal, found.point, found.overlap, 1, 0, portion_of(model, pair.a)}, face};
     if (face >= 0 && shape.is_internal[face] != 0) {
         take_next_way_out(model, placed, touched);  // none leads through the end of a prism or into the next part
+    }
+    if (touched.face >= 0 && touched.contact.overlap > placed.radius[at(pair.a)]) {
+        take_middle_way_out(shape, frame, placed.center[at(pair.a)], touched);
     }
     // A sharp sample is so small that its centre may come into a part: there it has to stop before the far side is
     // near.

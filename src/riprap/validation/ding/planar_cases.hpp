@@ -7,7 +7,6 @@
 
 namespace riprap::validation::ding {
 
-void planar_shaken_stack(const CaseSetting& setting, CaseReport& report);
 void planar_air_cannon(const CaseSetting& setting, CaseReport& report);
 void planar_air_cannon_level(const CaseSetting& setting, CaseReport& report);
 void planar_cross_section(const CaseSetting& setting, CaseReport& report);

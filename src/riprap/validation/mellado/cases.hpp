@@ -7,7 +7,6 @@
 
 namespace riprap::validation::mellado {
 
-void block_entry(const CaseSetting& setting, CaseReport& report);
 void cylinder_entry(const CaseSetting& setting, CaseReport& report);
 void floes_4(const CaseSetting& setting, CaseReport& report);
 void floes_sph(const CaseSetting& setting, CaseReport& report);
@@ -15,6 +14,5 @@ void floes_9(const CaseSetting& setting, CaseReport& report);
 void floes_fine(const CaseSetting& setting, CaseReport& report);
 void floes_none(const CaseSetting& setting, CaseReport& report);
 void floe_methods(const CaseSetting& setting, CaseReport& report);
-void three_cubes(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::mellado

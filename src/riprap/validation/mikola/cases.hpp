@@ -7,11 +7,6 @@
 
 namespace riprap::validation::mikola {
 
-void sliding_wedge(const CaseSetting& setting, CaseReport& report);
 void wave_maker(const CaseSetting& setting, CaseReport& report);
-void submarine_wedge(const CaseSetting& setting, CaseReport& report);
-void scott_russell(const CaseSetting& setting, CaseReport& report);
-
-void rotating_block(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::mikola

@@ -86,15 +86,6 @@ int count_inside_solids(const Trial& trial, double depth) {
     return count;
 }
 
-double surface_at(const Trial& trial, double x, double low, double high) {
-    fluid::Gauge gauge;
-    gauge.kind = &fluid::surface_gauge;
-    gauge.point = {x, low, 0};
-    gauge.end = {x, high, 0};
-    gauge.up = {0, 1, 0};
-    return low + fluid::read_gauge(gauge, trial.model().particles()->settings(), trial.state().fluid)[0];
-}
-
 void judge_ledgers(CaseReport& report, const std::string& run, const WaterRecords& records) {
     report.judge_below(
         {run + ": most energy at a time that the ledger cannot account for, over all that was turned over",

@@ -25,9 +25,6 @@ void run_water(Trial& trial, WaterRecords& records, double time, double interval
 /// Number of particles that are more than `depth` [m] inside a solid of a planar scene.
 int count_inside_solids(const Trial& trial, double depth);
 
-/// Height of the surface above y = 0 at x, from a vertical line between the heights `low` and `high` [m].
-double surface_at(const Trial& trial, double x, double low, double high);
-
 /// Judges both ledgers: energy closes to 1 % of what was turned over, momentum to the round-off of float.
 void judge_ledgers(CaseReport& report, const std::string& run, const WaterRecords& records);
 

@@ -8,17 +8,11 @@
 
 namespace riprap::validation::zhao {
 
-void two_tetrahedra(const CaseSetting& setting, CaseReport& report);
-void incline(const CaseSetting& setting, CaseReport& report);
-void pillar_impact(const CaseSetting& setting, CaseReport& report);
 void free_columns(const CaseSetting& setting, CaseReport& report);
 void slope_1(const CaseSetting& setting, CaseReport& report);
 void slope_2(const CaseSetting& setting, CaseReport& report);
 void slope_3(const CaseSetting& setting, CaseReport& report);
 void slope_4(const CaseSetting& setting, CaseReport& report);
 void slope_5(const CaseSetting& setting, CaseReport& report);
-void mixed_pile(const CaseSetting& setting, CaseReport& report);
-void cubes_in_box(const CaseSetting& setting, CaseReport& report);
-void cubes_of_tetrahedra(const CaseSetting& setting, CaseReport& report);
 
 }  // namespace riprap::validation::zhao

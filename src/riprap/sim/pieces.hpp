@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Pieces of a step of the solids: for the sources of this folder only.
+
+#include <functional>
+
+#include "riprap/sim/bound_methods.hpp"
+#include "riprap/sim/state.hpp"
+
+namespace riprap::sim {
+
+/// Fields that a refused piece of the solids, or one on trial, may have changed.
+struct Kept {
+    body::BodyState bodies;
+    contact::ContactHistory contacts;
+    SolidFields fields;
+    double previous_dt;
+};
+Kept keep(const State& state);
+void take_back(Kept&& kept, State& state);
+
+/// Moves the solids over a piece; what is refused is taken back and cut finer where the method says that this helps.
+/// @param take  called with the report of every part that counts, in their order
+Outcome move_over(Solid& solids, State& state, const TimeSpan& span, const body::LoadView& loads,
+                  solid::Measure measure, const std::function<void(const solid::SolidReport&)>& take);
+
+}  // namespace riprap::sim
