@@ -10,7 +10,6 @@
 #include "riprap/validation/mellado/cases.hpp"
 #include "riprap/validation/mikola/cases.hpp"
 #include "riprap/validation/rigid/cases.hpp"
-#include "riprap/validation/water/cases.hpp"
 #include "riprap/validation/zhao/cases.hpp"
 
 namespace riprap::validation {
@@ -37,13 +36,6 @@ std::span<const ValidationCase> rigid_cases() {
     static constexpr std::array cases{
         ValidationCase{"rigid", "granular_column", "Columns of grains collapse and run out (Lube et al.)", true,
                        rigid::granular_column},
-    };
-    return cases;
-}
-
-std::span<const ValidationCase> water_cases() {
-    static constexpr std::array cases{
-        ValidationCase{"water", "taylor_green", "Vortices die by viscosity", false, water::taylor_green},
     };
     return cases;
 }
@@ -87,7 +79,7 @@ std::span<const ValidationCase> all_cases() {
     static const std::vector<ValidationCase> cases = [] {
         std::vector<ValidationCase> all;
         for (const std::span<const ValidationCase> suite :
-             {zhao_cases(), rigid_cases(), water_cases(), mikola_cases(), mellado_cases(), ding_cases()}) {
+             {zhao_cases(), rigid_cases(), mikola_cases(), mellado_cases(), ding_cases()}) {
             all.insert(all.end(), suite.begin(), suite.end());
         }
         const std::vector<ValidationCase> files = file_cases(all);

@@ -59,8 +59,8 @@ MethodKeys<MpsSettings> MpsSettings::keys() {
                         "Steps between sorts of the particles by place: part of the result, as sums follow the "
                         "order.")} +
             pressure_keys(),
-        .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "flow", "sponge",
-                       "inflow", "outflow"}};
+        .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "flow", "jitter",
+                       "sponge", "inflow", "outflow"}};
 }
 
 }  // namespace riprap::fluid

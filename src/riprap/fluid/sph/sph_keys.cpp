@@ -81,7 +81,7 @@ MethodKeys<SphSettings> SphSettings::keys() {
             .keys = particle_keys<S>() + scheme_keys() + chosen(&S::viscosity, "viscosity", "Viscosity of the water") +
                     particle_order_keys(),
             .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "flow",
-                           "sponge", "inflow", "outflow"},
+                           "jitter", "sponge", "inflow", "outflow"},
             .check = problems_of};
 }
 

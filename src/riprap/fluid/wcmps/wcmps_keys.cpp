@@ -45,8 +45,8 @@ MethodKeys<WcmpsSettings> WcmpsSettings::keys() {
                 integer(&S::sort_interval, "sort_interval", 1, 1e6,
                         "Steps between sorts of the particles by place: part of the result, as sums follow the "
                         "order.")},
-        .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "flow", "sponge",
-                       "inflow", "outflow"}};
+        .scene_keys = {"sound_speed", "expected_speed", "wall", "joint_pressure", "domain", "region", "flow", "jitter",
+                       "sponge", "inflow", "outflow"}};
 }
 
 }  // namespace riprap::fluid

@@ -16,6 +16,7 @@
 #include "riprap/coupling/samples/sample_shapes.hpp"
 #include "riprap/scene/assemble/build_case.hpp"
 #include "riprap/scene/assemble/fluid_tables.hpp"
+#include "riprap/scene/assemble/random_stream.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
@@ -155,6 +156,17 @@ double check_filling(CaseBuild& build, const Value& list, const coupling::Fillin
     return room;
 }
 
+/// Moves the particles off their lattice.
+void move_at_random(const CaseBuild& build, const Value& table, double spacing, fluid::ParticleState& particles) {
+    const double most = get_number(table, "jitter") * spacing;
+    for (std::size_t i = 0; most > 0 && i < particles.position.size(); ++i) {
+        RandomStream random(build.model.seed, "fluid", i);
+        const double x = random.uniform(-most, most), y = random.uniform(-most, most);
+        const double z = random.uniform(-most, most);
+        particles.position[i] += Vec3{x, y, build.is_planar ? 0 : z};
+    }
+}
+
 /// Gives the particles the velocity of the flow that the case names.
 void start_flow(const Value& table, fluid::ParticleState& particles) {
     if (const std::optional<fluid::Flow> flow = read_flow(table)) {
@@ -201,6 +213,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     if (filling.particles.size() == 0) {
         return;
     }
+    move_at_random(build, *table, fluid.settings().spacing, filling.particles);
     start_flow(*table, filling.particles);
     choose_sound_speed(build, *table, regions, filling.particles, fluid);
     coupling::set_hydrostatic_density(filling, fluid.settings(),

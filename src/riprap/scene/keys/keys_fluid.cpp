@@ -176,6 +176,9 @@ std::vector<Key> scene_rows() {
         required_key("domain", {form::table(fluid_domain_table)}, "Box that water may be in."),
         required_key("region", {table_list(fluid_region_table, 1)}, "Water at the start."),
         optional_key("flow", {form::table(flow_table)}, "Velocity of the water at the start by a formula."),
+        key_or("jitter", {number(dimension::plain, between(0, 0.25))}, Value::of(0.0),
+               "Places of particles at the start are off their lattice by up to this share of the spacing along each "
+               "axis, at random: a perfect lattice stretches along lines where water parts until it tears."),
         key_or("side", {table_list(side_table)}, Value::array(), "Sides of the domain that are not as the others."),
         key_or("levels", {list(list(number(dimension::plain), 2, 2), 0, 10'000)}, Value::array(),
                "Pairs of a time [s] and the level of the water then [m], in rising order of time: linear between them "
