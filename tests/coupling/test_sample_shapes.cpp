@@ -94,6 +94,26 @@ TEST(SampleShapes, a_planar_square_gets_its_square_lattice) {
     }
 }
 
+TEST(SampleShapes, a_planar_square_gets_its_square_lattice_where_the_spacing_is_more_than_a_metre) {
+    // Prisms of planar scenes are one unit thick: their ends carried layers of their own, and walls let water through.
+    for (const double spacing : {1.0, 1.6, 2.5}) {
+        Scene scene;
+        scene.bodies.is_planar = true;
+        scene.add(geometry::planar_prism(std::vector<geometry::Point2>{
+                                             {0, 0}, {5 * spacing, 0}, {5 * spacing, 4 * spacing}, {0, 4 * spacing}})
+                      .value(),
+                  {});
+        SampleSettings settings = settings_of({-90, -90, 0}, {90, 90, 0}, 2);
+        settings.reach *= spacing / settings.spacing;
+        settings.spacing = spacing;
+        const SampleSet samples = sample(scene, settings);
+        ASSERT_EQ(samples.size(), 20) << spacing;
+        for (std::size_t i = 0; i < 20; ++i) {
+            EXPECT_NEAR(samples.volume[i], spacing * spacing, 1e-8 * spacing * spacing);
+        }
+    }
+}
+
 TEST(SampleShapes, volumes_of_a_body_that_no_lattice_fits_add_up_to_its_volume) {
     Scene scene;
     const Pose turned{{}, from_rotation_vector({0.3, 0.4, 0.5})};

@@ -97,8 +97,18 @@ bool is_cut(const Plane& face, std::span<const Plane> planes, double scale) {
     });
 }
 
+/// Makes a prism of a planar scene, one unit thick, as thick as the slab that it is cut to: its ends would carry layers
+/// of their own where the slab is thicker.
+void stretch_to_slab(Polyhedron& prism, const Box& box) {
+    if (const double thickness = box.high.z - box.low.z; thickness > 1) {
+        for (Vec3& x : prism.vertices) {
+            x.z *= 2 * thickness;
+        }
+    }
+}
+
 CutPart cut_part(const geometry::ShapeSet& shapes, const body::Part& part, const Box& box, const Pose& pose,
-                 std::span<const Plane> planes) {
+                 std::span<const Plane> planes, bool is_planar) {
     CutPart result;
     if (shapes.is_half_space(part.shape)) {
         const ConvexView view = shapes.view(part.shape);
@@ -107,6 +117,9 @@ CutPart cut_part(const geometry::ShapeSet& shapes, const body::Part& part, const
             geometry::clip_convex(box_in_body(box, pose), {normal, view.offset[0] + dot(normal, part.local.position)});
     } else {
         result.shape = geometry::moved(shapes.polyhedron(part.shape), part.local);
+        if (is_planar) {
+            stretch_to_slab(result.shape, box);
+        }
         for (const Plane& plane : planes) {
             if (!result.shape.faces.empty()) {
                 result.shape = geometry::clip_convex(result.shape, plane);
@@ -264,8 +277,8 @@ SampleSet sample_shapes(const geometry::ShapeSet& shapes, const body::BodySet& b
         for (std::int32_t p = bodies.part_begin[at(b)]; p < bodies.part_begin[at(b) + 1]; ++p) {
             const body::Part& part = bodies.parts[at(p)];
             const bool is_bounded = is_still(bodies, body) || shapes.is_half_space(part.shape);
-            const CutPart cut =
-                cut_part(shapes, part, box, pose, cutting_planes(box, pose, is_bounded, bodies.is_planar));
+            const CutPart cut = cut_part(shapes, part, box, pose,
+                                         cutting_planes(box, pose, is_bounded, bodies.is_planar), bodies.is_planar);
             if (cut.shape.faces.empty()) {
                 continue;
             }
