@@ -8,6 +8,7 @@
 #include <set>
 
 #include "riprap/body/prescribed_motion.hpp"
+#include "riprap/fluid/flow/flows.hpp"
 #include "riprap/io/output/output_kinds.hpp"
 #include "riprap/material/property_keys.hpp"
 #include "riprap/scene/keys/methods.hpp"
@@ -62,6 +63,12 @@ TEST(KeyTable, no_key_is_left_that_the_reader_does_not_name) {
             for (const auto& key : Law::keys()) {
                 bound.insert(key.row.name);
             }
+        }
+    });
+    fluid::FlowLaws::for_each([&bound]<class Law>() {
+        bound.insert(Law::word);
+        for (const auto& key : Law::keys()) {
+            bound.insert(key.row.name);
         }
     });
     for (const auto& key : material::material_keys()) {

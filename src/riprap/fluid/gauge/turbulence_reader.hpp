@@ -7,7 +7,7 @@ namespace riprap::fluid {
 
 /// The reading of fluids with a model of turbulence, besides those of WaterReader.
 namespace reading {
-inline constexpr unsigned turbulence = 256;
+inline constexpr unsigned turbulence = 4096;
 }  // namespace reading
 
 /// What a WaterReader is too where its fluid offers reading::turbulence.
