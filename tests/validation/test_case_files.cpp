@@ -86,7 +86,7 @@ TEST(CaseFiles, AnAnswerDueAfterTheEndIsJudgedInTheLongerRunAlone) {
     const std::vector<Result> results =
         results_of(two_blocks +
                    "[[expect]]\nname = \"late place\"\nquantity = \"slider.position.x\"\nreduce = \"at\"\nat = 1.5\n"
-                   "value = 4.0\ntolerance = 0.1\ncitation = \"x + v t\"\n"
+                   "value = 4.1\ntolerance = 1.0e-3\ncitation = \"x + v t + F (t - 1.4)^2/(2 m)\"\n"
                    "[[vary]]\nkey = \"end\"\nvalues = [1.5]\n");
     ASSERT_EQ(results.size(), 5U);  // two of the case as it stands, three of the longer run
     EXPECT_EQ(results.back().quantity, "late place; end = 1.5");
