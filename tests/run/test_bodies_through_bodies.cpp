@@ -272,10 +272,10 @@ const std::string twelve_sides = [] {
 TEST(BodiesThroughBodies, ABlockThatRollsOverAnEdgeOrLiesDeepOnItsFloorIsLeftAlone) {
     // Soft: the twelve-sided roller lies 3 % of its radius deep in the table, and goes over its edge and down beside
     // it.
-    const End roller = end_of(
-        "end = 1.4\n" + planar("").replace(planar("").find("2e7"), 3, "3e5") +
-        polygon("table", "box = [2, 1]", "position = [-1, -0.5]\nfixed = true") +
-        polygon("roller", twelve_sides, "position = [-0.3, 0.29]\nvelocity = [1, 0]\nangular_velocity = -3.4"));
+    const End roller =
+        end_of("end = 1.4\n" + planar("").replace(planar("").find("2e7"), 3, "3e5") +
+               polygon("table", "box = [2, 1]", "position = [-1, -0.5]\nfixed = true") +
+               polygon("roller", twelve_sides, "position = [-0.3, 0.29]\nvelocity = [1, 0]\nangular_velocity = -3.4"));
     EXPECT_THAT(roller.reason, IsEmpty());
     EXPECT_LT(roller.state.bodies.position[1].y, -0.5);
 }
