@@ -167,18 +167,27 @@ TEST(ClosedPocket, NarrowerThanThreeSpacingsIsNoneAsPoresBetweenBlocksAre) {
     }
 }
 
+TEST(ClosedPocket, IsLookedForInWaterWhoseDensityTellsNothing) {
+    Tank tank;
+    tank.pour({0, 0, 0}, {1, 1, 0}, 1000);
+    const double piece = 20 * dp / tank.settings.sound_speed;
+    EXPECT_TRUE(is_time_to_look(tank.settings, tank.water, {0.9 * piece, 0.2 * piece}, false));
+    EXPECT_FALSE(is_time_to_look(tank.settings, tank.water, {0.4 * piece, 0.2 * piece}, false));
+    EXPECT_FALSE(is_time_to_look(tank.settings, tank.water, {0.9 * piece, 0.2 * piece}, true));
+}
+
 TEST(ClosedPocket, IsLookedForWhereWaterIsDenseAndSoundHasHadTime) {
     Tank tank;
     tank.pour({0, 0, 0}, {1, 1, 0}, 1019);
     const double piece = 8 * dp / tank.settings.sound_speed;
-    EXPECT_FALSE(is_time_to_look(tank.settings, tank.water, {0.9 * piece, 0.2 * piece}));  // not dense
+    EXPECT_FALSE(is_time_to_look(tank.settings, tank.water, {0.9 * piece, 0.2 * piece}, true));  // not dense
     for (std::size_t i = 0; i < 9; ++i) {
         tank.water.density[i] = 1021;
     }
-    EXPECT_TRUE(is_time_to_look(tank.settings, tank.water, {0.9 * piece, 0.2 * piece}));
-    EXPECT_FALSE(is_time_to_look(tank.settings, tank.water, {0.7 * piece, 0.2 * piece}));
+    EXPECT_TRUE(is_time_to_look(tank.settings, tank.water, {0.9 * piece, 0.2 * piece}, true));
+    EXPECT_FALSE(is_time_to_look(tank.settings, tank.water, {0.7 * piece, 0.2 * piece}, true));
     tank.water.density[0] = 1000;  // fewer than make a pocket
-    EXPECT_FALSE(is_time_to_look(tank.settings, tank.water, {0.9 * piece, 0.2 * piece}));
+    EXPECT_FALSE(is_time_to_look(tank.settings, tank.water, {0.9 * piece, 0.2 * piece}, true));
 }
 
 }  // namespace

@@ -80,11 +80,15 @@ std::string describe(const RoomWalls& scene, std::vector<RoomWall> walls, const 
 
 }  // namespace
 
-bool is_time_to_look(const fluid::ParticleSettings& settings, const fluid::ParticleState& water, const TimeSpan& span) {
-    constexpr double spacings = 8, dense = 2.0 / 3;
-    const double piece = spacings * settings.spacing / settings.sound_speed;
+bool is_time_to_look(const fluid::ParticleSettings& settings, const fluid::ParticleState& water, const TimeSpan& span,
+                     bool carries_density) {
+    constexpr double spacings = 8, unseen = 20, dense = 2.0 / 3;
+    const double piece = (carries_density ? spacings : unseen) * settings.spacing / settings.sound_speed;
     if (std::floor(span.time / piece) == std::floor(span.end() / piece)) {
         return false;
+    }
+    if (!carries_density) {
+        return true;
     }
     const double limit = (1 + dense * most_crowding) * settings.rest_density;
     const std::int64_t least = settings.domain.dimension == 2 ? 9 : 27;  // three spacings wide

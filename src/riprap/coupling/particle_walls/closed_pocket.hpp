@@ -17,7 +17,10 @@ inline constexpr double most_crowding = 0.03;
 
 /// Tells whether closed pockets are looked for in a span: some of the water is dense enough, and the span ends another
 /// piece of the time that sound needs through eight spacings. It follows from the State alone.
-bool is_time_to_look(const fluid::ParticleSettings& settings, const fluid::ParticleState& water, const TimeSpan& span);
+/// @param carries_density  false for water whose density stays that at rest, however it is squeezed: no particle tells
+///                         then, and it is looked every twenty spacings of sound, two of the fastest flow
+bool is_time_to_look(const fluid::ParticleSettings& settings, const fluid::ParticleState& water, const TimeSpan& span,
+                     bool carries_density);
 
 /// Returns why water in a closed pocket cannot keep its volume: bodies wall it in on all sides, and its mean density is
 /// more than most_crowding above that at rest. Empty where there is no such pocket.

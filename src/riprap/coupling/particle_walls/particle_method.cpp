@@ -229,7 +229,9 @@ Outcome ParticleMethod::end(const TimeSpan& span, FluidStep& report) {
         begin_particles(*water_, first, state_.particles);
     }
     let_splash_go(*water_, scene_->gravity.at(span.end()), span, state_.open, state_.particles, report.passage);
-    if (report.passage.problem.empty() && is_time_to_look(water_->settings(), state_.particles, span)) {
+    const bool carries_density = scratch.scheme->for_bodies() == nullptr;
+    if (report.passage.problem.empty() &&
+        is_time_to_look(water_->settings(), state_.particles, span, carries_density)) {
         const RoomWalls walls{scene_->shapes, scene_->bodies, water_->is_dry, scratch.motion};
         return {crowded_pocket(walls, water_->settings(), state_.particles, span.end()), 0,
                 "a way out for the water, less of it in the pocket at the start, or a motion that ends before"};
