@@ -55,7 +55,7 @@ TEST(OldCheckpoints, OfEveryFormatAreTakenUpAndGoOnAsTheRunWouldHave) {
             run.save(middle);
             make_older(run.folder.checkpoint_latest(), version);
             const Restart restart = load_checkpoint(run.folder, run.loaded.model, run.initial);
-            EXPECT_TRUE(restart.is_upgraded);
+            EXPECT_TRUE(restart.is_of_unknown_case);
             EXPECT_THAT(restart.notice, AllOf(HasSubstr("rules and defaults of this version"), HasSubstr("Riprap")));
             EXPECT_EQ(state_hash(run.steps(restart.state, 100)), state_hash(end));
         }

@@ -59,7 +59,7 @@ struct OpenSide {
     double level{1e300};  ///< up to which water enters, or stands beyond [m]
 };
 
-/// What a case says of a whole side of the domain.
+/// States what a case asks of a whole side of the domain.
 struct SideRule {
     enum class Kind : std::uint8_t {
         slip,           ///< a wall without friction

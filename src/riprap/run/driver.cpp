@@ -86,7 +86,7 @@ void Driver::resume(std::optional<double> end, std::optional<std::int64_t> max_s
 void Driver::resume_case() {
     const sim::TimeSettings time = model().time;
     Restart restart = load_checkpoint(folder_, model(), simulation_.initial());
-    if (restart.is_upgraded) {
+    if (restart.is_of_unknown_case) {
         throw CheckpointError(fmt::format(
             "the checkpoint in {0} is of an older Riprap, which cannot tell whether it belongs to this case: continue "
             "the case that was stored with it by riprap resume {0}, or begin anew with --force",

@@ -64,8 +64,8 @@ struct RunRecord {
 struct Restart {
     sim::State state;
     RunRecord record;
-    std::string notice;       ///< why the latest checkpoint was not used, or that it is of an older version; else empty
-    bool is_upgraded{false};  ///< an older version wrote it: nothing tells that it belongs to this very case
+    std::string notice;  ///< why the latest checkpoint was not used, or that it is of an older version; else empty
+    bool is_of_unknown_case{false};  ///< of an older version, whose hash of the same case is another
 };
 
 /// Writes the latest checkpoint and keeps the one before. @throws FileError; the old checkpoints are then untouched
@@ -75,7 +75,8 @@ void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim
 /// Reads the latest checkpoint or, where that is damaged or missing, the previous one (the damaged file is set
 /// aside, so that it never replaces a good one).
 /// @param initial  State of the case at time 0, initialised: gives the sizes that a checkpoint must have
-/// One of an older version is taken up whatever its case: who knows where the case came from looks at is_upgraded.
+/// One of an older version is taken up whatever its case: who knows where the case came from looks at
+/// is_of_unknown_case.
 /// @throws CheckpointError when there is none to use, or it belongs to another case
 Restart load_checkpoint(const RunFolder& folder, const sim::Model& model, const sim::State& initial);
 

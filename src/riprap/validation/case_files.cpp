@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// What a listing tells of a case.
+/// Holds what a listing tells of a case.
 struct Facts {
     bool has_answers{false};  ///< it says what it expects
     bool is_long{false};

@@ -19,7 +19,6 @@
 #include "riprap/coupling/grid_fluid/pressed_pocket.hpp"
 #include "riprap/coupling/grid_fluid/settings.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
-#include "riprap/fluid/gauge/turbulence_reader.hpp"
 #include "riprap/fluid/grid/grid_step.hpp"
 #include "riprap/fluid/grid/read.hpp"
 #include "riprap/fluid/grid/shown_water.hpp"
@@ -69,7 +68,7 @@ class GridFluid {
     Outcome end(const TimeSpan& span, FluidStep& report);
     std::span<const double> feedback() const { return scratch_->feedback; }
 
-    static constexpr unsigned offers = fluid::reading::all | fluid::reading::turbulence;
+    static constexpr unsigned offers = fluid::reading::all;
     /// Reads a gauge of any kind. Without scratch, bodies are cut anew.
     static fluid::GaugeReading read(const GaugeQuery<GridFluid>& query);
     /// Says how much water has left through the open top and was let go; empty where none has.

@@ -5,7 +5,6 @@
 
 #include "riprap/coupling/grid_fluid/carried_water.hpp"
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
-#include "riprap/fluid/gauge/turbulence_reader.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/read.hpp"
@@ -19,7 +18,7 @@ using fluid::grid::at;
 using fluid::grid::Mesh;
 
 /// The water of a grid as gauges read it, with the share of cells that solids leave to it.
-struct Reader : fluid::WaterReader, fluid::TurbulenceReader {
+struct Reader : fluid::WaterReader {
     const GridFluidSettings& settings;
     const GridFluidFields& fields;
     const fluid::grid::GridState& water;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "riprap/fluid/gauge/gauge.hpp"
-#include "riprap/fluid/gauge/turbulence_reader.hpp"
 
 // Kinds of gauges. Each makes its numbers of readings of the water, whatever the fluid; one line in `all_gauges`
 // registers it. Words, units, help, checks and columns of a case are made from that list, and a fluid reads a kind
@@ -153,10 +152,10 @@ inline constexpr GaugeKind turbulent_energy_gauge{
     "m^5/s^2",
     1,
     GaugeExtent::box,
-    reading::turbulence,
+    reading::turbulent_energy,
     "k of the water in the box between point and end, summed over its volume; times the density it is the energy",
     [](const Gauge& gauge, const WaterReader& water) -> GaugeReading {
-        return {dynamic_cast<const TurbulenceReader&>(water).turbulent_energy(gauge.point, gauge.end)};
+        return {water.turbulent_energy(gauge.point, gauge.end)};
     }};
 
 /// Every kind, in the order of the manual.

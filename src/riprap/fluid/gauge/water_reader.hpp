@@ -11,7 +11,8 @@ namespace riprap::fluid {
 namespace reading {
 inline constexpr unsigned pressure = 1, velocity = 2, level = 4, surface = 8, run_up = 16, flow = 32, volume = 64,
                           wall_pressure = 128, centre = 256, mean_velocity = 512, flow_error = 1024, changed = 2048,
-                          none = 0, all = 4095, of_particles = all & ~(flow_error | changed);
+                          turbulent_energy = 4096, none = 0, all = 8191,
+                          of_particles = all & ~(flow_error | changed | turbulent_energy);
 }  // namespace reading
 
 /// The water of any fluid at one moment, as instruments read it: SI, in the world. A fluid overrides the readings that
@@ -41,6 +42,9 @@ class WaterReader {
     virtual Vec3 flow_error(const Vec3& /*low*/, const Vec3& /*high*/) const { return {unknown, unknown, unknown}; }
     /// Volume in a box that has got water since the start, and that has lost it [m^3], in 2D [m^2].
     virtual double changed(const Vec3& /*low*/, const Vec3& /*high*/) const { return unknown; }
+    /// Turbulent energy k of the water in a box, summed over its volume [m^5/s^2], in 2D [m^4/s^2]; 0 where the flow is
+    /// laminar.
+    virtual double turbulent_energy(const Vec3& /*low*/, const Vec3& /*high*/) const { return unknown; }
     /// On the face of the gauge that is read: force over area in the last step [Pa].
     virtual double wall_pressure() const { return unknown; }
 
