@@ -104,7 +104,7 @@ TEST(Water, a_block_as_heavy_as_water_hangs_still_in_it) {
     basin.model.time.end = 1;
     const StepReport report = basin.steps(300, scratch);
     ASSERT_TRUE(report.status.ok()) << report.status.text;
-    const Vec3 force = scratch.water_loads().pressure.force[0];
+    const Vec3 force = scratch.fluid_loads().pressure.force[0];
     EXPECT_NEAR(force.y, 1000 * 9.81 * 0.4 * 0.4, 0.1 * 1000 * 9.81 * 0.4 * 0.4);
     EXPECT_NEAR(basin.state.bodies.position[0].y, 0.5, 0.2 * dp);
 }
@@ -124,7 +124,7 @@ TEST(Water, a_light_block_released_under_water_is_stable) {
             const StepReport report = basin.steps(1, scratch);
             ASSERT_TRUE(report.status.ok()) << density << ": " << report.status.text;
             most = std::max(most, norm(basin.state.coupling.acceleration[0]));
-            passes += report.water_passes;
+            passes += report.fluid_passes;
         }
         // With no added mass at all it could reach g (rho/rho_s - 1); with that of a square, 1.19 of its area, far
         // less.
@@ -208,7 +208,7 @@ TEST(Water, a_fixed_step_that_becomes_too_long_on_the_way_ends_the_run_unless_fo
     basin.model.time.force_time_step = true;
     const StepReport forced = advance(basin.model, basin.state, scratch, 0.95 * limit);
     EXPECT_TRUE(forced.status.ok()) << forced.status.text;
-    EXPECT_LT(forced.water_dt_bound, 0.6 * limit);
+    EXPECT_LT(forced.fluid_dt_bound, 0.6 * limit);
 }
 
 TEST(Water, the_memory_that_is_counted_grows_with_the_lists_of_neighbours) {

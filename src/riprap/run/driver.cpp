@@ -132,7 +132,7 @@ void Driver::announce(const std::string& beginning) {
     }
     const sim::TimeStepBound limit = simulation_.step_bound();
     std::string sides;
-    for (const std::string& side : sides_of(model())) {
+    for (const std::string& side : sim::absorbed_ranges(model())) {
         sides += fmt::format("  {}\n", side);
     }
     say(
