@@ -16,6 +16,7 @@
 #include "riprap/run/check_case.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/run/state_hash.hpp"
+#include "riprap/sim/method_traits.hpp"
 
 namespace riprap::run {
 
