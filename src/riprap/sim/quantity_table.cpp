@@ -21,6 +21,11 @@ Vec3 scalar(double value) { return {value, 0, 0}; }
 Vec3 position(const Moment& m, BodyId b) { return m.state.bodies.position[index(b)]; }
 Vec3 displacement(const Moment& m, BodyId b) { return position(m, b) - m.initial.bodies.position[index(b)]; }
 Vec3 distance(const Moment& m, BodyId b) { return scalar(norm(displacement(m, b))); }
+/// Distance from the upright axis of the scene, z or in a plane y.
+Vec3 axis_distance(const Moment& m, BodyId b) {
+    const Vec3 x = position(m, b);
+    return scalar(m.model.bodies.is_planar ? std::abs(x.x) : std::hypot(x.x, x.y));
+}
 Vec3 velocity(const Moment& m, BodyId b) { return m.state.bodies.velocity[index(b)]; }
 Vec3 speed(const Moment& m, BodyId b) { return scalar(norm(velocity(m, b))); }
 Vec3 spin(const Moment& m, BodyId b) { return body::angular_velocity(m.model.bodies, m.state.bodies, b); }
@@ -153,6 +158,9 @@ const std::array body_table{
              nullptr,
              displacement_of_point},
     Quantity{{"distance", "m", 1, true, "length of the displacement"}, distance, nullptr, distance_of_point},
+    Quantity{{"axis_distance", "m", 1, true, "of the centre of mass from the axis x = y = 0, in a plane x = 0"},
+             axis_distance,
+             nullptr},
     Quantity{{"velocity", "m/s", 3, true, "of the centre of mass"}, velocity, nullptr, velocity_of_point},
     Quantity{{"speed", "m/s", 1, true, "length of the velocity"}, speed, nullptr, speed_of_point},
     Quantity{{"angular_velocity", "rad/s", 3, true, "in world axes"}, spin, nullptr},

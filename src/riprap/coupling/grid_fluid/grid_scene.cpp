@@ -129,7 +129,7 @@ std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     grid.water = {rest_density, kinematic_viscosity};
     grid.air = {air_density, air_viscosity};
     grid.gravity = scene.gravity.at(0);
-    if (scene.gravity.ramp > 0 || scene.gravity.rate != 0) {
+    if (scene.gravity.ramp > 0 || scene.gravity.turns()) {
         grid.frame_acceleration = [gravity = scene.gravity, at_start = grid.gravity](double time) {
             return gravity.at(time) - at_start;
         };
