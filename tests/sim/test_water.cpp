@@ -8,7 +8,7 @@
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/samples/sample_shapes.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
-#include "riprap/fluid/sph/sph_step.hpp"
+#include "riprap/fluid/schemes.hpp"
 #include "sim/basin.hpp"
 
 namespace riprap::sim {
@@ -153,7 +153,7 @@ TEST(Water, steps_grow_from_a_fiftieth_by_a_twentieth_of_the_time_since_bodies_w
     Scratch scratch;
     initialise(basin.model, basin.state);
     basin.model.time.end = 1000;
-    const double allowed = choose_fluid_time_step(basin.model.particles()->sph(), basin.state.fluid).limit;
+    const double allowed = make_scheme(basin.model.particles()->sph())->limit(basin.state.fluid).limit;
     const auto next = [&](double time) {
         basin.state.time = time;
         return choose_time_step(basin.model, basin.state, scratch).dt / allowed;
@@ -195,7 +195,7 @@ TEST(Water, a_fixed_step_that_becomes_too_long_on_the_way_ends_the_run_unless_fo
     Basin basin = collision();
     Scratch scratch;
     initialise(basin.model, basin.state);
-    const double limit = choose_fluid_time_step(basin.model.particles()->sph(), basin.state.fluid).limit;
+    const double limit = make_scheme(basin.model.particles()->sph())->limit(basin.state.fluid).limit;
     basin.model.time.time_step = 0.95 * limit;
     ASSERT_TRUE(basin.steps(2, scratch).status.ok());
     basin.state.fluid.velocity[0] = {30, 0, 0};  // as fast as sound: the limit is about half as long

@@ -10,7 +10,7 @@
 #include "riprap/coupling/fill_solids.hpp"
 #include "riprap/coupling/pack_sums.hpp"
 #include "riprap/coupling/zone.hpp"
-#include "riprap/fluid/particle/mps_lattice.hpp"
+#include "riprap/fluid/mps_operators/mps_lattice.hpp"
 #include "riprap/fluid/particle/sort.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 

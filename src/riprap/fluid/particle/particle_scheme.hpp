@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 
 #include "riprap/core/step.hpp"
@@ -98,5 +97,8 @@ class ParticleScheme {
 /// x += dt v, back into the domain along periodic axes.
 /// @param dt  half the step [s]
 void drift(const ParticleSettings& settings, ParticleState& state, double dt);
+
+/// Books impulse and work between fluid and walls from the forces on wall particles.
+void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report);
 
 }  // namespace riprap::fluid
