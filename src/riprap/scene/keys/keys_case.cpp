@@ -7,6 +7,7 @@
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/keys_vary.hpp"
 #include "riprap/scene/keys/methods.hpp"
+#include "riprap/scene/keys/renamed.hpp"
 #include "riprap/scene/text/limits.hpp"
 #include "riprap/sim/method_traits.hpp"
 
@@ -90,7 +91,10 @@ Table rows_of_case() {
         "case",
         "(top of the file)",
         "Title and length of the experiment, and how time advances.",
-        {key_or("title", {text()}, Value::of(""), "One line that says what the case shows."),
+        {key_or("format", {integer(1, newest_format)}, Value::of(newest_format),
+                "Version of the case file that its keys are of; a program that is older refuses it. `riprap upgrade "
+                "CASE` gives keys of older versions their names of today."),
+         key_or("title", {text()}, Value::of(""), "One line that says what the case shows."),
          key_or("dimension", {integer(2, 3)}, Value::of(3),
                 "3, or 2 for a planar scene: shapes are prisms one unit thick whose motion stays in the x-y plane."),
          required_key("gravity", {vector(dimension::acceleration), form::table(gravity_table)},
@@ -157,11 +161,16 @@ const Table& gravity_rotation_table() {
     static const Table table{
         "gravity.rotation",
         "gravity = { rotation = { ... } }",
-        "Turns gravity at a constant rate about an axis: a tilting platform without moving it.",
+        "Turns gravity about an axis, at a constant rate or by given angles: a tilting platform without moving it.",
         {required_key("axis", {axis()}, "Axis of the turn; gravity turns by the right-hand rule."),
-         required_key("rate", {number(dimension::angular_velocity)}, "Angular velocity of gravity."),
-         key_or("start", {number(dimension::time, non_negative())}, Value::of(0.0), "Start of the turn."),
-         optional_key("stop", {number(dimension::time, non_negative())}, "End of the turn; none when not given.")}};
+         optional_key("rate", {number(dimension::angular_velocity)}, "Angular velocity of gravity."),
+         key_or("start", {number(dimension::time, non_negative())}, Value::of(0.0), "Start of the turn by a rate."),
+         optional_key("stop", {number(dimension::time, non_negative())}, "End of it; none when not given."),
+         optional_key("time", {list(number(dimension::time, non_negative()), 1, limits::table_rows)},
+                      "Increasing times, instead of a rate: a platform that stops on its way."),
+         optional_key("angle", {list(number(dimension::angle), 1, limits::table_rows)},
+                      "Angle at each time, linear in between; the first one before, the last one afterwards.")},
+        {{GroupRule::exactly_one, {"rate", "time"}}, {GroupRule::all_or_none, {"time", "angle"}}}};
     return table;
 }
 
