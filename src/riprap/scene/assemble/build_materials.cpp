@@ -5,7 +5,6 @@
 #include <array>
 #include <functional>
 #include <map>
-#include <variant>
 
 #include "riprap/core/index.hpp"
 #include "riprap/material/property_keys.hpp"
@@ -63,11 +62,7 @@ void find_unread(const CaseBuild& build, const Value& table, const std::vector<m
 /// Names the key that a method reads in the place of the stiffness of materials, which is a pressure; empty where it
 /// has none.
 std::string own_stiffness(const CaseBuild& build, material::Property property) {
-    const bool has_own = std::visit(
-        [](const auto& settings) {
-            return requires { settings.elasticity.contact_stiffness; };
-        },
-        build.model.solid);
+    const bool has_own = sim::elasticity_of(build.model.solid) != nullptr;
     return has_own && property == material::Property::normal_stiffness
                ? "; its contacts have solid.contact_stiffness, of a contact point, in N/m"
                : "";
