@@ -89,7 +89,7 @@ TEST(Penalty, a_dashpot_never_pulls) {
     damped.normal_damping = 1000;
     PenaltyMotion motion = pressed(0.01, {});
     motion.velocity = {0, 0, -1};
-    EXPECT_DOUBLE_EQ(penalty(damped, motion).force.z, 0);
+    EXPECT_DOUBLE_EQ(penalty({}, damped, motion).force.z, 0);
 }
 
 }  // namespace
