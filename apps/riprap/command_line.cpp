@@ -272,6 +272,7 @@ int command_line(const Words& words, const BuiltIn& built_in) {
     add_check(app, action);
     add_resume(app, action);
     add_new(app, action);
+    add_upgrade(app, action);
     add_sweep(app, action);
     add_matrix(app, action);
     add_validate(app, action, words, built_in);

@@ -17,9 +17,11 @@ void end_with_reader();
 /// Adds the commands that look at the folder of a run: view, render, plot and waves.
 void add_commands_of_runs(CLI::App& app, Action& action);
 
-/// Adds single commands: a study of many runs, a case to start from, and texts made from all commands.
+/// Adds single commands: a study of many runs, a case to start from, an old case with the names of today, and texts
+/// made from all commands.
 void add_sweep(CLI::App& app, Action& action);
 void add_new(CLI::App& app, Action& action);
+void add_upgrade(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
 void add_man(CLI::App& app, Action& action);
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::string_view dry_case =
     R"(# Run it with `riprap run {name}`; `riprap check {name}` says what it would take. All keys: `riprap schema --keys`.
+format  = 1
 title   = "{name}"
 gravity = [0.0, 0.0, -9.81]                # [m/s^2]
 end     = 2.0                              # [s]
@@ -52,6 +53,7 @@ citation  = "half its height"
 
 constexpr std::string_view wet_case =
     R"(# Run it with `riprap run {name}`; `riprap check {name}` says what it would take. All keys: `riprap schema --keys`.
+format    = 1
 title     = "{name}"
 dimension = 2                              # a slice in x and y; leave it out for three dimensions
 gravity   = [0.0, -9.81]                   # [m/s^2]
@@ -107,6 +109,7 @@ point = [1.0, 0.0]
 
 constexpr std::string_view sphere_case =
     R"(# Run it with `riprap run {name}`; `riprap check {name}` says what it would take. All keys: `riprap schema --keys`.
+format  = 1
 title   = "{name}"
 gravity = [0.0, 0.0, -9.81]                # [m/s^2]
 end     = 1.5                              # [s]

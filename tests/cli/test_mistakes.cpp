@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_fixture.hpp"
+#include "riprap/io/atomic_file.hpp"
 
 namespace riprap {
 namespace {
@@ -32,6 +33,32 @@ TEST_F(Mistakes, UnknownCommandsAndOptionsAreNamedWithTheNearestOnes) {
     const Ending validation = run({"validate", "zhao/inclin"});
     EXPECT_EQ(validation.code, 2);
     EXPECT_THAT(validation.err, HasSubstr("did you mean 'zhao/incline'?"));
+}
+
+TEST_F(Mistakes, AnOldCaseIsRewrittenOnceAndKeptBesideAsItWas) {
+    const std::filesystem::path file = folder.path() / "old" / "case.toml";
+    std::filesystem::create_directories(file.parent_path());
+    std::filesystem::copy_file("tests/data/upgrade/ledger_of_0_2.toml", file);
+    const std::string before = io::read_file(file, 1 << 20);
+    const Ending refused = run({"check", file.string()});
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_THAT(refused.err, HasSubstr("is called \"fluid.kinetic\" since version 0.3"));
+
+    const Ending printed = run({"upgrade", file.string(), "--print"});
+    EXPECT_EQ(io::read_file(file, 1 << 20), before);
+    const Ending upgraded = run({"upgrade", (folder.path() / "old").string()});
+    EXPECT_EQ(upgraded.code, 0) << upgraded.err;
+    EXPECT_THAT(upgraded.out, HasSubstr(":37:48: 'work_external' is now 'solid.external'"));
+    EXPECT_EQ(io::read_file(file, 1 << 20), printed.out);
+    EXPECT_EQ(io::read_file(file.string() + ".old", 1 << 20), before);
+    EXPECT_EQ(run({"check", file.string()}).code, 0);
+
+    EXPECT_THAT(run({"upgrade", file.string()}).out, HasSubstr("no name of an older version"));
+    std::filesystem::copy_file(file.string() + ".old", file, std::filesystem::copy_options::overwrite_existing);
+    const Ending again = run({"upgrade", file.string()});
+    EXPECT_EQ(again.code, 5);
+    EXPECT_THAT(again.err, HasSubstr("case.toml.old' exists already"));
+    EXPECT_EQ(io::read_file(file, 1 << 20), before);
 }
 
 TEST_F(Mistakes, TheVersionIsAlsoAnOption) {

@@ -18,6 +18,7 @@
 #include "riprap/scene/assemble/variations.hpp"
 #include "riprap/scene/keys/check_counts.hpp"
 #include "riprap/scene/keys/check_keys.hpp"
+#include "riprap/scene/keys/renamed.hpp"
 #include "riprap/scene/shapes/shape_library.hpp"
 #include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
@@ -93,7 +94,8 @@ Value with_ends(Value root, const std::optional<double>& written) {
 /// Hashes all that decides the motion: the other files and the resolved case, without the length of the run and its
 /// outputs. A checkpoint belongs to all cases that agree in this.
 std::uint64_t hash_of(Value root, const std::vector<InputFile>& inputs) {
-    constexpr std::array<std::string_view, 6> bystanders{"title", "end", "max_steps", "output", "expect", "vary"};
+    constexpr std::array<std::string_view, 7> bystanders{"format", "title",  "end", "max_steps",
+                                                         "output", "expect", "vary"};
     std::erase_if(root.entries, [&](const Entry& entry) {
         return std::find(bystanders.begin(), bystanders.end(), entry.key) != bystanders.end();
     });
@@ -171,12 +173,16 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
                           std::span<const std::string> overrides) {
     std::vector<Diagnostic> problems;
     Value root = parse_toml(text, name, problems);
+    check_format(root, problems);
     throw_if_any(problems, "keys and what they make");
     const std::optional<double> written_end = end_of(root);
     for (const std::string& assignment : overrides) {
         apply_override(root, assignment, problems);
     }
     const bool is_planar = is_planar_case(root);
+    for (const OldName& old : rename_old(root, case_table())) {
+        problems.push_back(problem_of(old));
+    }
     const Value checked = check_keys(root, case_table(), is_planar, problems);
     check_counts(checked, problems);
     if (problems.empty()) {  // numbers that are tried in keys that are right

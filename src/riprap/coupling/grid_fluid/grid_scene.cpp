@@ -83,6 +83,16 @@ std::string_view entry_key(std::string_view list, std::size_t entry) {
     return *keys.insert(fmt::format("{}[{}]", list, entry)).first;
 }
 
+std::string cells_text(const GridFluidSettings& settings) {
+    const fluid::grid::Mesh& mesh = settings.grid.mesh;
+    if (mesh.edge[0].empty()) {
+        return {};
+    }
+    const auto& cells = mesh.box.cells;
+    return fmt::format("{} x {}{} cells, the narrowest {:.4g} m wide", cells[0], cells[1],
+                       mesh.box.axes == 3 ? fmt::format(" x {}", cells[2]) : "", mesh.smallest_width());
+}
+
 std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     std::vector<KeyProblem> problems;
     scene = given;

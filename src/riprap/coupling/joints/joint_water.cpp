@@ -13,10 +13,10 @@ namespace riprap::coupling {
 namespace {
 
 constexpr std::int64_t grain = 64;
-/// Of the pressure in crowded water that a wall feels, at most.
-constexpr double most_felt = 1.2;
-/// Spacings that a joint opens until water that stands closely before it is no longer crowded but on its way in.
-constexpr double mouth = 0.25;
+/// Largest f, the pressure on a wall over that of crowded particles beside it [-].
+constexpr double most_crowded = 1.2;
+/// Gap of a joint from which on water that stands closely before it is not crowded but on its way in [spacings].
+constexpr double entered_gap = 0.25;
 
 /// Share of the open surroundings that particles fill. @param open of solids, @param water the same sum over the water
 double covered(const Vec3& open, const Vec3& water) {
@@ -139,10 +139,11 @@ void find_joint_water(const JointPairs& pairs, const JointSums<Real>& sums, cons
             here.dry_share = room > 0 && filled > 0 ? std::max(0.0, 1 - filled / room) : 1;
 
             const double share = covered(open, of_water);  // q
-            const double ragged = std::max(0.0, (well_filled - share) / (1 - well_filled));
-            const double crowding = (std::clamp(share, well_filled, most_felt) - 1) * std::max(0.0, 1 - ragged);
-            const double trust = 1 - here.dry_share * std::min(1.0, gap[lane] / (mouth * settings.spacing));
-            here.felt = (1 + trust * crowding) * water.pressure[sample];
+            // f - 1 as far as water stands there, and as far as it is not on its way into the joint.
+            const double lacking = std::max(0.0, (well_filled - share) / (1 - well_filled));
+            const double crowding = (std::clamp(share, well_filled, most_crowded) - 1) * std::max(0.0, 1 - lacking);
+            const double outside = 1 - here.dry_share * std::min(1.0, gap[lane] / (entered_gap * settings.spacing));
+            here.felt = (1 + outside * crowding) * water.pressure[sample];
             here.weight =
                 here.is_first ? near.volume(sample) * dot(open, open) * std::min(1.0, share / well_filled) : 0;
         }

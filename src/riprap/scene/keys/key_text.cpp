@@ -8,6 +8,7 @@
 
 #include "riprap/scene/keys/check_value.hpp"
 #include "riprap/scene/keys/key_table.hpp"
+#include "riprap/scene/keys/renamed.hpp"
 #include "riprap/scene/text/limits.hpp"
 #include "riprap/sim/quantity.hpp"
 
@@ -132,6 +133,22 @@ std::string quantities_text() {
     return page;
 }
 
+std::string old_names_text() {
+    std::string page =
+        "\n## Names of older versions\n\nA file that has one of these is refused with the name of today; `riprap "
+        "upgrade CASE` writes it in.\n\n| before | key | now | since |\n| --- | --- | --- | --- |\n";
+    for (const Renamed& row : renamed_names()) {
+        std::string keys;
+        for (const KeyPlace& place : row.places) {
+            keys += fmt::format("{}`{}.{}`", keys.empty() ? "" : ", ", place.table, place.key);
+        }
+        page += fmt::format("| {} | {}{} | {} | {} |\n", row.word.empty() ? "the key" : fmt::format("`{}`", row.word),
+                            keys, row.alone.empty() ? "" : fmt::format(" without `{}`", row.alone),
+                            row.now.empty() ? std::string(row.advice) : fmt::format("`{}`", row.now), row.since);
+    }
+    return page;
+}
+
 }  // namespace
 
 std::string case_manual() {
@@ -139,7 +156,7 @@ std::string case_manual() {
     for (const Table* table : all_tables()) {
         page += manual_of(*table);
     }
-    return page + quantities_text() + limits_text();
+    return page + quantities_text() + old_names_text() + limits_text();
 }
 
 std::string key_listing(const std::string& prefix) {

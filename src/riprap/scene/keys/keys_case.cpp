@@ -7,6 +7,7 @@
 #include "riprap/scene/keys/key_table.hpp"
 #include "riprap/scene/keys/keys_vary.hpp"
 #include "riprap/scene/keys/methods.hpp"
+#include "riprap/scene/keys/renamed.hpp"
 #include "riprap/scene/text/limits.hpp"
 #include "riprap/sim/method_traits.hpp"
 
@@ -90,7 +91,10 @@ Table rows_of_case() {
         "case",
         "(top of the file)",
         "Title and length of the experiment, and how time advances.",
-        {key_or("title", {text()}, Value::of(""), "One line that says what the case shows."),
+        {key_or("format", {integer(1, newest_format)}, Value::of(newest_format),
+                "Version of the case file that its keys are of; a program that is older refuses it. `riprap upgrade "
+                "CASE` gives keys of older versions their names of today."),
+         key_or("title", {text()}, Value::of(""), "One line that says what the case shows."),
          key_or("dimension", {integer(2, 3)}, Value::of(3),
                 "3, or 2 for a planar scene: shapes are prisms one unit thick whose motion stays in the x-y plane."),
          required_key("gravity", {vector(dimension::acceleration), form::table(gravity_table)},

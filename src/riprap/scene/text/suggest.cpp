@@ -50,6 +50,7 @@ constexpr std::array aliases{
     Alias{"g", "gravity"},
     Alias{"timeout", "interval"},
     Alias{"writeinterval", "interval"},
+    Alias{"frameinterval", "interval"},
     Alias{"pos", "position"},
     Alias{"vel", "velocity"},
     Alias{"rot", "orientation"},
