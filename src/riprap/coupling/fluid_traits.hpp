@@ -15,6 +15,15 @@
 
 namespace riprap::coupling {
 
+/// All that the drawing of a fluid depends on.
+template <class Settings>
+struct ShownQuery {
+    const FluidScene& scene;
+    const Settings& settings;
+    const fluid::ParticleState& particles;
+    const typename Settings::Fields& fields;
+};
+
 /// Traits of a fluid, which its class declares as `static constexpr FluidTraits<Settings> traits{...}`. What it leaves
 /// out has the default; a name that is none of these does not compile.
 template <class Settings>
@@ -33,6 +42,10 @@ struct FluidTraits {
     double (*cell_width)(const Settings&) = [](const Settings&) { return 0.0; };
     /// Height by which it may settle when it is let go [m].
     double (*grain)(const Settings&) = [](const Settings&) { return 0.0; };
+    /// Mass of one particle, of a fluid of particles, which has no smaller part; else 0 [kg].
+    double (*grain_mass)(const Settings&) = [](const Settings&) { return 0.0; };
+    /// Box that it cannot leave; null: it is unbounded.
+    const fluid::Domain* (*domain)(const Settings&) = [](const Settings&) -> const fluid::Domain* { return nullptr; };
     /// Share of the limit of its step that the case asks for; 0: it has none [-].
     double (*courant)(const Settings&) = [](const Settings&) { return 0.0; };
     /// Bytes of what the settings hold beside themselves.
@@ -49,8 +62,12 @@ struct FluidTraits {
     };
     /// Says how many cells it has and how wide they are; empty: it has none.
     std::string (*cells_text)(const Settings&) = [](const Settings&) { return std::string(); };
-    /// Returns how it is drawn where it is a field; null: it is not.
-    fluid::ShownWater (*shown)(const FluidScene&, const Settings&, const Fields&){nullptr};
+    /// Returns how it is drawn; null: it is not.
+    fluid::ShownWater (*shown)(const ShownQuery<Settings>&){nullptr};
+    bool shows_surface{false};  ///< as polygons, besides points
+    /// Returns how it will be drawn once it has moved, where that takes more room in files: a lattice at rest is packed
+    /// into much less; null: as at the start.
+    fluid::ShownWater (*shown_stirred)(const ShownQuery<Settings>&){nullptr};
 };
 
 }  // namespace riprap::coupling

@@ -8,15 +8,18 @@
 
 namespace riprap::fluid {
 
-/// Water of a field as it is drawn, whatever computes it: a point for every wet cell, and its surface as flat pieces.
+/// Water as it is drawn, whatever computes it: a point for every particle or wet cell and, of a fluid in cells, its
+/// surface as flat pieces.
 struct ShownWater {
     double spacing{0};             ///< between points [m]
     std::vector<Vec3> place;       ///< [m]
     std::vector<Vec3> velocity;    ///< [m/s]
-    std::vector<float> pressure;   ///< [Pa]
-    std::vector<std::int32_t> id;  ///< number of the cell
+    bool has_density{false};       ///< it differs from place to place
+    std::vector<float> density;    ///< half a step behind the places [kg/m^3]
+    std::vector<float> pressure;   ///< at that density [Pa]
+    std::vector<std::int32_t> id;  ///< of the particle for life, or number of the cell
 
-    std::vector<Vec3> corner;               ///< of the polygons of the surface [m]
+    std::vector<Vec3> corner;               ///< of the polygons of the surface; none where points show it [m]
     std::vector<std::int32_t> polygon_end;  ///< where the corners of each end; planar: two corners for each depth
 };
 

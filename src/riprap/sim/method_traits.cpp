@@ -58,6 +58,14 @@ double grain(const Model& model) {
     return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.grain(settings); });
 }
 
+double grain_mass(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.grain_mass(settings); });
+}
+
+const fluid::Domain* fluid_domain(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.domain(settings); });
+}
+
 double fluid_spacing(const Model& model) {
     return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.spacing(settings); });
 }

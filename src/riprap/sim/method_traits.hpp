@@ -26,6 +26,12 @@ bool books_every_step(const Model& model);
 /// Height by which a fluid may settle when it is let go: the spacing of particles [m].
 double grain(const Model& model);
 
+/// Mass of one particle of the fluid; 0 where it is not made of any [kg].
+double grain_mass(const Model& model);
+
+/// Returns the box that the fluid cannot leave; nullptr where it is unbounded.
+const fluid::Domain* fluid_domain(const Model& model);
+
 /// Returns the size of particles or cells of the fluid; 0 where it has none [m].
 double fluid_spacing(const Model& model);
 

@@ -22,6 +22,8 @@ class ParticleMethod final : public FluidMethod {
     using Fields = NoFields;
     using Scratch = ParticleScratch;
     static std::span<const Account> accounts();
+    static fluid::ShownWater shown(const ShownQuery<Settings>& query);
+    static fluid::ShownWater shown_stirred(const ShownQuery<Settings>& query);
     /// Tells whether the scheme books all that it dissipates in the step in which it does.
     static bool books_every_step(const Settings& water);
     static constexpr FluidTraits<Settings> traits{
@@ -29,9 +31,13 @@ class ParticleMethod final : public FluidMethod {
         .books_every_step = &books_every_step,
         .spacing = [](const Settings& water) { return water.settings().spacing; },
         .grain = [](const Settings& water) { return water.settings().spacing; },
+        .grain_mass = [](const Settings& water) { return water.settings().particle_mass; },
+        .domain = [](const Settings& water) { return &water.settings().domain; },
         .courant = [](const Settings& water) { return water.settings().courant; },
         .bytes = [](const Settings& water) { return water.bytes(); },
-        .accounts = &accounts};
+        .accounts = &accounts,
+        .shown = &shown,
+        .shown_stirred = &shown_stirred};
 
     ParticleMethod(const FluidScene& scene, const Settings& water, const FluidState& state, Fields& fields,
                    Scratch& scratch);
