@@ -122,7 +122,7 @@ TEST(Vtp, ACloudOfPointsHasOneVertexCellPerPoint) {
     EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "offsets"), ElementsAre(1, 2));
 }
 
-fluid::ShownWater shown(const fluid::SphSettings& settings, const fluid::ParticleState& particles) {
+fluid::ShownFluid shown(const fluid::SphSettings& settings, const fluid::ParticleState& particles) {
     coupling::ParticleFluid water;
     water.scheme = settings;
     const geometry::ShapeSet shapes;

@@ -11,7 +11,7 @@
 #include "riprap/core/account.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
-#include "riprap/fluid/shown_water.hpp"
+#include "riprap/fluid/shown_fluid.hpp"
 
 namespace riprap::coupling {
 
@@ -34,6 +34,10 @@ struct FluidTraits {
     bool leads{true};                       ///< it moves by itself: its `limit` is the step of the run
     unsigned offers{fluid::reading::none};  ///< readings of gauges (fluid/gauge/water_reader.hpp)
 
+    bool makes_up{false};  ///< its walls make up for the way of bodies that it did not see in the last step
+
+    /// Do the first steps after bodies were let go grow from little?
+    bool (*starts_slowly)(const Settings&) = [](const Settings&) { return false; };
     /// Does its ledger close from the first step on?
     bool (*books_every_step)(const Settings&) = [](const Settings&) { return false; };
     /// Size of its particles or cells; 0: it has none [m].
@@ -63,11 +67,11 @@ struct FluidTraits {
     /// Says how many cells it has and how wide they are; empty: it has none.
     std::string (*cells_text)(const Settings&) = [](const Settings&) { return std::string(); };
     /// Returns how it is drawn; null: it is not.
-    fluid::ShownWater (*shown)(const ShownQuery<Settings>&){nullptr};
+    fluid::ShownFluid (*shown)(const ShownQuery<Settings>&){nullptr};
     bool shows_surface{false};  ///< as polygons, besides points
     /// Returns how it will be drawn once it has moved, where that takes more room in files: a lattice at rest is packed
     /// into much less; null: as at the start.
-    fluid::ShownWater (*shown_stirred)(const ShownQuery<Settings>&){nullptr};
+    fluid::ShownFluid (*shown_stirred)(const ShownQuery<Settings>&){nullptr};
 };
 
 }  // namespace riprap::coupling

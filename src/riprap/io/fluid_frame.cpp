@@ -11,7 +11,7 @@
 
 namespace riprap::io {
 
-void put_fluid(const TextSink& put, const fluid::ShownWater& water, double time) {
+void put_fluid(const TextSink& put, const fluid::ShownFluid& water, double time) {
     put_point_cloud(put, water.place, vtk_field_array("spacing", std::array{water.spacing}), time, [&] {
         std::vector<float> numbers;  // one buffer for both: there may be millions
         numbers.reserve(3 * water.velocity.size());
@@ -34,13 +34,13 @@ void put_fluid(const TextSink& put, const fluid::ShownWater& water, double time)
     });
 }
 
-void write_fluid(const std::filesystem::path& path, const fluid::ShownWater& water, double time) {
+void write_fluid(const std::filesystem::path& path, const fluid::ShownFluid& water, double time) {
     AtomicFile file(path);
     put_fluid([&file](std::string_view piece) { file.write(piece); }, water, time);
     file.commit(Durability::later);
 }
 
-PolyData draw_surface(const fluid::ShownWater& water) {
+PolyData draw_surface(const fluid::ShownFluid& water) {
     PolyData data;
     data.points = water.corner;
     for (std::size_t i = 0; i < water.corner.size(); ++i) {

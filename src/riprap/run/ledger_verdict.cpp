@@ -156,13 +156,13 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, c
     const std::string unit = sim::unit_in("J", model.bodies.is_planar);
     if (residual <= round_off * energy_there(ledger) || residual <= tolerance * counted) {
         const double made = made_from_nothing(ledger, model, state);
-        const double of_water = std::max(counted, cell_grain_of(ledger, model));
-        return is_first || made <= most_artificial * of_water
+        const double of_fluid = std::max(counted, cell_grain_of(ledger, model));
+        return is_first || made <= most_artificial * of_fluid
                    ? ""
                    : fmt::format(
                          "the numerics made {:.3g} {} of {:.3g} {} that count as turned over at "
                          "t = {:.6g} s, more than {:.3g} % of it{}",
-                         made, unit, of_water, unit, ledger.time, 100 * most_artificial, most_energetic(model, state));
+                         made, unit, of_fluid, unit, ledger.time, 100 * most_artificial, most_energetic(model, state));
     }
     return fmt::format(
         "the energy ledger misses {:.3g} {} of {:.3g} {} that count as turned over at t = {:.6g} s, more than "

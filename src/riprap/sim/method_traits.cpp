@@ -90,6 +90,14 @@ std::vector<std::string> absorbed_ranges(const Model& model) {
     return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.absorbed_ranges(settings); });
 }
 
+bool starts_slowly(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.starts_slowly(settings); });
+}
+
+bool makes_up(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto&) { return traits.makes_up; });
+}
+
 bool fluid_leads(const Model& model) {
     return of_fluid(model, [](const auto& traits, const auto&) { return traits.leads; });
 }

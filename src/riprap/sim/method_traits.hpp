@@ -50,6 +50,12 @@ std::string cells_text(const Model& model);
 /// Says which waves sides of the fluid absorb, a line each.
 std::vector<std::string> absorbed_ranges(const Model& model);
 
+/// Do the first steps after bodies were let go grow from little, for the sake of the fluid?
+bool starts_slowly(const Model& model);
+
+/// Do walls of the fluid make up for the way of bodies that it did not see in the last step?
+bool makes_up(const Model& model);
+
 /// Is the step of the fluid that of the run?
 bool fluid_leads(const Model& model);
 

@@ -78,10 +78,10 @@ namespace {
 
 /// Returns what one of the functions of its traits draws of the fluid; nothing where it has none.
 template <class Choose>
-std::optional<fluid::ShownWater> drawn_by(const Model& model, const State& state, const Choose& choose) {
+std::optional<fluid::ShownFluid> drawn_by(const Model& model, const State& state, const Choose& choose) {
     const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
     return Fluids::visit(
-        model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) -> std::optional<fluid::ShownWater> {
+        model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) -> std::optional<fluid::ShownFluid> {
             const auto draw = choose(Fluid::traits);
             if (draw == nullptr) {
                 return std::nullopt;
@@ -94,11 +94,11 @@ std::optional<fluid::ShownWater> drawn_by(const Model& model, const State& state
 
 }  // namespace
 
-std::optional<fluid::ShownWater> shown_fluid(const Model& model, const State& state) {
+std::optional<fluid::ShownFluid> shown_fluid(const Model& model, const State& state) {
     return drawn_by(model, state, [](const auto& traits) { return traits.shown; });
 }
 
-std::optional<fluid::ShownWater> stirred_fluid(const Model& model, const State& state) {
+std::optional<fluid::ShownFluid> stirred_fluid(const Model& model, const State& state) {
     return drawn_by(model, state, [](const auto& traits) { return traits.shown_stirred; });
 }
 

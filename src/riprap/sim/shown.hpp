@@ -11,7 +11,7 @@
 
 #include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/shown.hpp"
-#include "riprap/fluid/shown_water.hpp"
+#include "riprap/fluid/shown_fluid.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -41,9 +41,9 @@ struct DrawnFluid {
 DrawnFluid drawn_fluid(const Model& model);
 
 /// Returns the fluid as it is drawn; nothing where there is nothing to draw.
-std::optional<fluid::ShownWater> shown_fluid(const Model& model, const State& state);
+std::optional<fluid::ShownFluid> shown_fluid(const Model& model, const State& state);
 
 /// Returns the fluid as it will be drawn once it has moved, where that takes more room in files; else nothing.
-std::optional<fluid::ShownWater> stirred_fluid(const Model& model, const State& state);
+std::optional<fluid::ShownFluid> stirred_fluid(const Model& model, const State& state);
 
 }  // namespace riprap::sim

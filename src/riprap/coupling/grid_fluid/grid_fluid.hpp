@@ -77,7 +77,7 @@ class GridFluid final : public FluidMethod {
     static fluid::GaugeReading read(const GaugeQuery<GridFluid>& query);
     /// Says how much water has left through the open top and was let go; empty where none has.
     static std::string let_go_text(const Settings& settings, const Fields& fields);
-    static fluid::ShownWater shown(const ShownQuery<Settings>& query);
+    static fluid::ShownFluid shown(const ShownQuery<Settings>& query);
     static constexpr FluidTraits<Settings> traits{
         .offers = fluid::reading::all,
         .spacing = [](const Settings& settings) { return settings.spacing; },

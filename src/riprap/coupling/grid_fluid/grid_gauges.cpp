@@ -358,7 +358,7 @@ fluid::GaugeReading GridFluid::read(const GaugeQuery<GridFluid>& query) {
     return query.gauge.kind->read(query.gauge, reader);
 }
 
-fluid::ShownWater GridFluid::shown(const ShownQuery<Settings>& query) {
+fluid::ShownFluid GridFluid::shown(const ShownQuery<Settings>& query) {
     const fluid::grid::OpenShares open = query.scene.bodies.size() > 0
                                              ? cut_again(query.scene, query.settings, query.fields).open
                                              : fluid::grid::OpenShares{};

@@ -9,8 +9,8 @@ namespace riprap::coupling {
 
 namespace {
 
-fluid::ShownWater shown_points(const fluid::ParticleSettings& settings, const fluid::ParticleState& particles) {
-    fluid::ShownWater water;
+fluid::ShownFluid shown_points(const fluid::ParticleSettings& settings, const fluid::ParticleState& particles) {
+    fluid::ShownFluid water;
     water.spacing = settings.spacing;
     water.place = particles.position;
     water.velocity = particles.velocity;
@@ -25,11 +25,11 @@ fluid::ShownWater shown_points(const fluid::ParticleSettings& settings, const fl
 
 }  // namespace
 
-fluid::ShownWater ParticleMethod::shown(const ShownQuery<Settings>& query) {
+fluid::ShownFluid ParticleMethod::shown(const ShownQuery<Settings>& query) {
     return shown_points(query.settings.settings(), query.particles);
 }
 
-fluid::ShownWater ParticleMethod::shown_stirred(const ShownQuery<Settings>& query) {
+fluid::ShownFluid ParticleMethod::shown_stirred(const ShownQuery<Settings>& query) {
     const fluid::ParticleSettings& settings = query.settings.settings();
     fluid::ParticleState water = query.particles;
     std::mt19937_64 random(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/io/output/output_kinds.hpp"
 
-#include "riprap/fluid/shown_water.hpp"
+#include "riprap/fluid/shown_fluid.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/scene_frame.hpp"
 #include "riprap/sim/quantity.hpp"

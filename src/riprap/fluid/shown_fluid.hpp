@@ -10,7 +10,7 @@ namespace riprap::fluid {
 
 /// Water as it is drawn, whatever computes it: a point for every particle or wet cell and, of a fluid in cells, its
 /// surface as flat pieces.
-struct ShownWater {
+struct ShownFluid {
     double spacing{0};             ///< between points [m]
     std::vector<Vec3> place;       ///< [m]
     std::vector<Vec3> velocity;    ///< [m/s]
