@@ -307,12 +307,8 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     if (!read_field_scene(build, table, scene)) {
         return;
     }
-    if constexpr (requires { settings.prepare(scene).size(); }) {
-        for (const KeyProblem& problem : settings.prepare(scene)) {
-            build.problem(place_of(table, problem.key), problem.message, problem.allowed);
-        }
-    } else if constexpr (requires { settings.prepare(scene); }) {
-        settings.prepare(scene);
+    for (const KeyProblem& problem : settings.prepare(scene)) {
+        build.problem(place_of(table, problem.key), problem.message, problem.allowed);
     }
     if (table.find("domain") != nullptr) {  // a fluid with a domain cuts solids into its cells
         check_lengths(build, scene.domain);
