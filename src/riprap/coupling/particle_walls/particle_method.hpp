@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <variant>
 
 #include "riprap/core/account.hpp"
 #include "riprap/coupling/fluid_method.hpp"
@@ -25,17 +24,11 @@ class ParticleMethod final : public FluidMethod {
     static std::span<const Account> accounts();
     static fluid::ShownFluid shown(const ShownQuery<Settings>& query);
     static fluid::ShownFluid shown_stirred(const ShownQuery<Settings>& query);
-    /// Tells whether the scheme books all that it dissipates in the step in which it does.
-    static bool books_every_step(const Settings& water);
-    /// All but MPS, which has its own step: it takes back a share of each error of density in a step, however short.
-    static bool starts_slowly(const Settings& water) {
-        return !std::holds_alternative<fluid::MpsSettings>(water.scheme);
-    }
     static constexpr FluidTraits<Settings> traits{
         .offers = fluid::reading::of_particles,
         .makes_up = true,
-        .starts_slowly = &starts_slowly,
-        .books_every_step = &books_every_step,
+        .starts_slowly = [](const Settings& water) { return fluid::starts_slowly(water.scheme); },
+        .books_every_step = [](const Settings& water) { return fluid::books_every_step(water.scheme); },
         .spacing = [](const Settings& water) { return water.settings().spacing; },
         .grain = [](const Settings& water) { return water.settings().spacing; },
         .grain_mass = [](const Settings& water) { return water.settings().particle_mass; },

@@ -242,9 +242,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
 
 template <std::derived_from<fluid::ParticleSettings> Settings>
 void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
-    if constexpr (requires { settings.complete(); }) {
-        settings.complete();
-    }
+    Settings::traits.complete(settings);
     build_particles(build, &table, settings);
 }
 
