@@ -8,6 +8,7 @@
 
 #include "io/temporary_folder.hpp"
 #include "io/vtk_reader.hpp"
+#include "riprap/coupling/particle_walls/particle_method.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/io/atomic_file.hpp"
@@ -121,6 +122,16 @@ TEST(Vtp, ACloudOfPointsHasOneVertexCellPerPoint) {
     EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "offsets"), ElementsAre(1, 2));
 }
 
+fluid::ShownFluid shown(const fluid::SphSettings& settings, const fluid::ParticleState& particles) {
+    coupling::ParticleFluid water;
+    water.scheme = settings;
+    const geometry::ShapeSet shapes;
+    const body::BodySet bodies;
+    const body::Gravity gravity;
+    const coupling::FluidScene scene{shapes, bodies, gravity};
+    return coupling::ParticleMethod::shown({scene, water, particles, {}});
+}
+
 TEST(Vtp, WaterIsACloudOfItsParticlesWithTheirPressure) {
     const TemporaryFolder folder;
     fluid::SphSettings settings;
@@ -131,7 +142,7 @@ TEST(Vtp, WaterIsACloudOfItsParticlesWithTheirPressure) {
     particles.velocity = {{3, 0, 4}, {0, 0, 0}};
     particles.density = {1010, 1000};
     particles.id = {7, 3};
-    write_fluid(folder / "a.vtp", settings, particles, 0);
+    write_fluid(folder / "a.vtp", shown(settings, particles), 0);
     const std::string xml = read_file(folder / "a.vtp", 1U << 20U);
     EXPECT_THAT(vtk_reader::array<std::int32_t>(xml, "id"), ElementsAre(7, 3));
     EXPECT_THAT(vtk_reader::array<float>(xml, "speed"), ElementsAre(5, 0));
@@ -169,7 +180,7 @@ TEST(Vtp, WaterPutPieceByPieceIsTheSameTextAsOfAFrameBuiltFirst) {
     data.add_point_array("density", density);
     data.add_point_array("pressure", pressure);
     std::string text;
-    put_fluid([&text](std::string_view piece) { text += piece; }, settings, particles, 0.125);
+    put_fluid([&text](std::string_view piece) { text += piece; }, shown(settings, particles), 0.125);
     EXPECT_TRUE(text == encode_vtp(data, 0.125));
     EXPECT_EQ(vtk_reader::array<float>(text, "velocity"), velocity);
 }

@@ -25,21 +25,29 @@ inline ParticleSettings& base_of(SchemeSettings& settings) {
     return std::visit([](auto& own) -> ParticleSettings& { return own; }, settings);
 }
 
+/// Tells whether all that is dissipated is booked in the step in which it is.
+inline bool books_every_step(const SchemeSettings& settings) {
+    return std::visit([](const auto& own) { return own.traits.books_every_step; }, settings);
+}
+/// Tells whether the first steps after bodies were let go grow from little.
+inline bool starts_slowly(const SchemeSettings& settings) {
+    return std::visit([](const auto& own) { return own.traits.starts_slowly; }, settings);
+}
 /// Tells whether water of this scheme may enter and leave.
 inline bool takes_openings(const SchemeSettings& settings) {
-    return std::visit([](const auto& own) { return own.takes_openings(); }, settings);
+    return std::visit([](const auto& own) { return own.traits.takes_openings(own); }, settings);
 }
 /// Tells whether the scheme reads BoundaryParticles::normal.
 inline bool takes_normals(const SchemeSettings& settings) {
-    return std::visit([](const auto& own) { return own.takes_normals(); }, settings);
+    return std::visit([](const auto& own) { return own.traits.takes_normals(own); }, settings);
 }
 /// Tells whether the scheme reads BoundaryParticles::outward_area.
 inline bool takes_outward_area(const SchemeSettings& settings) {
-    return std::visit([](const auto& own) { return own.takes_outward_area(); }, settings);
+    return std::visit([](const auto& own) { return own.traits.takes_outward_area(own); }, settings);
 }
 /// Tells whether water of this scheme presses in joints between faces.
 inline bool takes_joints(const SchemeSettings& settings) {
-    return std::visit([](const auto& own) { return own.takes_joints(); }, settings);
+    return std::visit([](const auto& own) { return own.traits.takes_joints(own); }, settings);
 }
 
 }  // namespace riprap::fluid

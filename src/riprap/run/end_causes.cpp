@@ -112,30 +112,25 @@ std::string stiffer_blocks(const Refused& refused) {
 /// A domain as high as the water that left it would have risen: v^2/(2 g) above its top.
 std::string higher_domain(const Refused& refused) {
     const sim::Model& model = refused.model;
+    const fluid::Domain* const domain = sim::fluid_domain(model);
     const Vec3 gravity = model.gravity.at(refused.before.time);
     const double pull = norm(gravity);
-    const auto text = [&](const auto& domain, double spacing) -> std::string {
-        int up = 0;
-        for (int axis = 1; axis < domain.dimension; ++axis) {
-            up = std::abs(gravity[axis]) > std::abs(gravity[up]) ? axis : up;
-        }
-        if (!(pull > 0) || gravity[up] > 0) {
-            return "";
-        }
-        const double speed = fastest_water(refused);
-        Vec3 high = domain.high;
-        high[up] += speed * speed / (2 * pull) + 2 * spacing;
-        return domain.dimension == 2
-                   ? fmt::format("fluid.domain.high = [{:.6g}, {:.6g}] holds it", high.x, high.y)
-                   : fmt::format("fluid.domain.high = [{:.6g}, {:.6g}, {:.6g}] holds it", high.x, high.y, high.z);
-    };
-    if (const coupling::ParticleFluid* const water = model.particles(); water != nullptr) {
-        return text(water->settings().domain, water->settings().spacing);
+    if (domain == nullptr) {
+        return "";
     }
-    if (const auto* const grid = std::get_if<coupling::GridFluidSettings>(&model.fluid); grid != nullptr) {
-        return text(grid->scene.domain, grid->spacing);
+    int up = 0;
+    for (int axis = 1; axis < domain->dimension; ++axis) {
+        up = std::abs(gravity[axis]) > std::abs(gravity[up]) ? axis : up;
     }
-    return "";
+    if (!(pull > 0) || gravity[up] > 0) {
+        return "";
+    }
+    const double speed = fastest_water(refused);
+    Vec3 high = domain->high;
+    high[up] += speed * speed / (2 * pull) + 2 * sim::fluid_spacing(model);
+    return domain->dimension == 2
+               ? fmt::format("fluid.domain.high = [{:.6g}, {:.6g}] holds it", high.x, high.y)
+               : fmt::format("fluid.domain.high = [{:.6g}, {:.6g}, {:.6g}] holds it", high.x, high.y, high.z);
 }
 
 std::string more_of_the_solver(const Refused& refused) {

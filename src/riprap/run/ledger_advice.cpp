@@ -130,9 +130,9 @@ std::string ledger_advice(const Refused& refused) {
         return fmt::format("{}, which the methods keep by default, or a shorter step",
                            assignment("output.ledger_tolerance", usual));
     }
-    const double of_water = std::max(std::abs(ledger.fluid.residual), std::abs(ledger.fluid.coupling_gap));
+    const double of_fluid = std::max(std::abs(ledger.fluid.residual), std::abs(ledger.fluid.coupling_gap));
     if (refused.model.has_fluid() &&
-        of_water > std::abs(ledger.residual - ledger.fluid.residual - ledger.fluid.coupling_gap)) {
+        of_fluid > std::abs(ledger.residual - ledger.fluid.residual - ledger.fluid.coupling_gap)) {
         return is_compressed(refused) ? faster_sound(refused) : shorter_water_step(refused);
     }
     return shorter_step(refused);

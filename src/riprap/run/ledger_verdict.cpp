@@ -84,17 +84,17 @@ double cell_grain_of(const sim::Ledger& ledger, const sim::Model& model) {
     return ledger.fluid.mass * norm(model.gravity.value) * sim::cell_width(model);
 }
 
-/// Energy of one particle of water at the speed of the fastest body that is driven: a paddle has done hardly any work
+/// Energy of one grain of the fluid at the speed of the fastest body that is driven: a paddle has done hardly any work
 /// on still water when it first touches it, and without gravity nothing else is there to compare with [J].
-double energy_of_driven_particle(const sim::Model& model, const sim::State& state) {
-    const coupling::ParticleFluid* const water = model.particles();
+double energy_of_driven_grain(const sim::Model& model, const sim::State& state) {
+    const double mass = sim::grain_mass(model);
     double fastest = 0;
-    for (std::int32_t b = 0; water != nullptr && b < model.bodies.size(); ++b) {
+    for (std::int32_t b = 0; mass > 0 && b < model.bodies.size(); ++b) {
         if (model.bodies.drive[at(b)] == body::Drive::driven) {
             fastest = std::max(fastest, norm_squared(state.bodies.velocity[at(b)]));
         }
     }
-    return water != nullptr ? 0.5 * water->settings().particle_mass * fastest : 0;
+    return 0.5 * mass * fastest;
 }
 
 /// Energy that the artificial terms made, all taken together, below zero where they took some; or the largest rise of
@@ -123,7 +123,7 @@ struct Scale {
 Scale scale_of(const sim::Ledger& ledger, const sim::Model& model, const sim::State& state, bool is_first) {
     const double kinetic = ledger.kinetic + ledger.fluid.kinetic;
     const double counted = std::max({ledger.turnover, kinetic, grain_of(ledger, model),
-                                     energy_of_driven_particle(model, state), is_first ? short_fall(model, state) : 0});
+                                     energy_of_driven_grain(model, state), is_first ? short_fall(model, state) : 0});
     // What some methods dissipate is known over several steps only: before these are over more can be missing.
     return {counted, is_first && !sim::books_every_step(model) ? std::max(most_at_first, model.output.ledger_tolerance)
                                                                : model.output.ledger_tolerance};
@@ -156,13 +156,13 @@ std::string ledger_problem(const sim::Ledger& ledger, const sim::Model& model, c
     const std::string unit = sim::unit_in("J", model.bodies.is_planar);
     if (residual <= round_off * energy_there(ledger) || residual <= tolerance * counted) {
         const double made = made_from_nothing(ledger, model, state);
-        const double of_water = std::max(counted, cell_grain_of(ledger, model));
-        return is_first || made <= most_artificial * of_water
+        const double of_fluid = std::max(counted, cell_grain_of(ledger, model));
+        return is_first || made <= most_artificial * of_fluid
                    ? ""
                    : fmt::format(
                          "the numerics made {:.3g} {} of {:.3g} {} that count as turned over at "
                          "t = {:.6g} s, more than {:.3g} % of it{}",
-                         made, unit, of_water, unit, ledger.time, 100 * most_artificial, most_energetic(model, state));
+                         made, unit, of_fluid, unit, ledger.time, 100 * most_artificial, most_energetic(model, state));
     }
     return fmt::format(
         "the energy ledger misses {:.3g} {} of {:.3g} {} that count as turned over at t = {:.6g} s, more than "

@@ -70,11 +70,11 @@ void StepWatch::look_at_length(const sim::StepReport& report, const std::string&
         return;
     }
     told_excess_ = excess;
-    const bool is_water = report.fluid_dt_bound <= report.dt_bound;
+    const bool is_fluid = report.fluid_dt_bound <= report.dt_bound;
     notices.push_back({fmt::format("{}: the time step {:.4g} s is {:.3g} times what {} now ({:.4g} s, a bound that "
                                    "errs on the safe side); a smaller {} is safer",
-                                   when, report.dt, excess, is_water ? "the water allows" : "the contacts allow", bound,
-                                   is_water ? "time_step" : "time_step, or time_step_factor,"),
+                                   when, report.dt, excess, is_fluid ? "the water allows" : "the contacts allow", bound,
+                                   is_fluid ? "time_step" : "time_step, or time_step_factor,"),
                        "dt_bound", bound});
 }
 

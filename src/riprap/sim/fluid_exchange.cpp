@@ -7,6 +7,7 @@
 #include "riprap/body/point_loads.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/prediction.hpp"
 
 namespace riprap::sim {
@@ -182,7 +183,7 @@ void reset(const Model& model, coupling::CouplingState& coupling) {
     coupling.angular_acceleration.assign(count, {});
     coupling.dry_acceleration.assign(count, model.gravity.at(0));
     coupling.dry_angular_acceleration.assign(count, {});
-    const std::size_t walls = model.particles() != nullptr ? count : 0;
+    const std::size_t walls = makes_up(model) ? count : 0;
     coupling.missed_way.assign(walls, {});
     coupling.missed_turn.assign(walls, {});
     coupling.untold_way.assign(walls, {});

@@ -58,6 +58,14 @@ double grain(const Model& model) {
     return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.grain(settings); });
 }
 
+double grain_mass(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.grain_mass(settings); });
+}
+
+const fluid::Domain* fluid_domain(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.domain(settings); });
+}
+
 double fluid_spacing(const Model& model) {
     return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.spacing(settings); });
 }
@@ -80,6 +88,14 @@ std::string cells_text(const Model& model) {
 
 std::vector<std::string> absorbed_ranges(const Model& model) {
     return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.absorbed_ranges(settings); });
+}
+
+bool starts_slowly(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.starts_slowly(settings); });
+}
+
+bool makes_up(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto&) { return traits.makes_up; });
 }
 
 bool fluid_leads(const Model& model) {

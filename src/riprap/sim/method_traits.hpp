@@ -26,6 +26,12 @@ bool books_every_step(const Model& model);
 /// Height by which a fluid may settle when it is let go: the spacing of particles [m].
 double grain(const Model& model);
 
+/// Mass of one particle of the fluid; 0 where it is not made of any [kg].
+double grain_mass(const Model& model);
+
+/// Returns the box that the fluid cannot leave; nullptr where it is unbounded.
+const fluid::Domain* fluid_domain(const Model& model);
+
 /// Returns the size of particles or cells of the fluid; 0 where it has none [m].
 double fluid_spacing(const Model& model);
 
@@ -43,6 +49,12 @@ std::string cells_text(const Model& model);
 
 /// Says which waves sides of the fluid absorb, a line each.
 std::vector<std::string> absorbed_ranges(const Model& model);
+
+/// Do the first steps after bodies were let go grow from little, for the sake of the fluid?
+bool starts_slowly(const Model& model);
+
+/// Do walls of the fluid make up for the way of bodies that it did not see in the last step?
+bool makes_up(const Model& model);
 
 /// Is the step of the fluid that of the run?
 bool fluid_leads(const Model& model);

@@ -68,21 +68,38 @@ std::vector<contact::ShownContact> shown_contacts(const Model& model, const Stat
     });
 }
 
-bool draws_fluid(const Model& model) {
+DrawnFluid drawn_fluid(const Model& model) {
     return Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& /*settings*/) {
-        return Fluid::traits.shown != nullptr;
+        return DrawnFluid{Fluid::traits.shown != nullptr, Fluid::traits.shows_surface};
     });
 }
 
-std::optional<fluid::ShownWater> shown_fluid(const Model& model, const State& state) {
+namespace {
+
+/// Returns what one of the functions of its traits draws of the fluid; nothing where it has none.
+template <class Choose>
+std::optional<fluid::ShownFluid> drawn_by(const Model& model, const State& state, const Choose& choose) {
     const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
     return Fluids::visit(
-        model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) -> std::optional<fluid::ShownWater> {
-            if (Fluid::traits.shown == nullptr) {
+        model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) -> std::optional<fluid::ShownFluid> {
+            const auto draw = choose(Fluid::traits);
+            if (draw == nullptr) {
                 return std::nullopt;
             }
-            return Fluid::traits.shown(scene, settings, Fluids::entry<Fluid>(state.fluid_fields));
+            static const typename Fluid::Fields none;
+            const auto* const fields = Fluids::find<Fluid>(state.fluid_fields);
+            return draw({scene, settings, state.fluid, fields != nullptr ? *fields : none});
         });
+}
+
+}  // namespace
+
+std::optional<fluid::ShownFluid> shown_fluid(const Model& model, const State& state) {
+    return drawn_by(model, state, [](const auto& traits) { return traits.shown; });
+}
+
+std::optional<fluid::ShownFluid> stirred_fluid(const Model& model, const State& state) {
+    return drawn_by(model, state, [](const auto& traits) { return traits.shown_stirred; });
 }
 
 }  // namespace riprap::sim

@@ -11,7 +11,7 @@
 
 #include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/shown.hpp"
-#include "riprap/fluid/shown_water.hpp"
+#include "riprap/fluid/shown_fluid.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -34,10 +34,16 @@ double shown_value(const Model& model, const State& state, std::string_view name
 /// None before the first step.
 std::vector<contact::ShownContact> shown_contacts(const Model& model, const State& state, const Scratch& scratch);
 
-/// Tells whether the fluid is a field that is drawn.
-bool draws_fluid(const Model& model);
+/// What there is to draw of a fluid.
+struct DrawnFluid {
+    bool points{false}, surface{false};
+};
+DrawnFluid drawn_fluid(const Model& model);
 
-/// Returns the fluid as it is drawn, where it is a field; else nothing.
-std::optional<fluid::ShownWater> shown_fluid(const Model& model, const State& state);
+/// Returns the fluid as it is drawn; nothing where there is nothing to draw.
+std::optional<fluid::ShownFluid> shown_fluid(const Model& model, const State& state);
+
+/// Returns the fluid as it will be drawn once it has moved, where that takes more room in files; else nothing.
+std::optional<fluid::ShownFluid> stirred_fluid(const Model& model, const State& state);
 
 }  // namespace riprap::sim

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 
 #include "riprap/core/error.hpp"
 #include "riprap/sim/bound_methods.hpp"
@@ -167,13 +166,10 @@ double time_since_let_go(const Model& model, double time) {
 /// Returns the longest step soon after bodies were let go. Water meets walls where bodies are predicted to go by the
 /// acceleration of the last step, and what they do otherwise is missing in the energy, F (a - a_predicted) dt^2/2.
 /// While bodies take up their weight and contacts close, for which no force is known before, that would be much of what
-/// little is turned over. MPS has its own step: it takes back a share of each error of density in a step, however
-/// short.
-double longest_at_start(const Model& model, double time, double allowed_by_water) {
-    const coupling::ParticleFluid* const water = model.particles();
-    const bool grows = water != nullptr && !std::holds_alternative<fluid::MpsSettings>(water->scheme);
-    return grows ? first_share * allowed_by_water + share_of_time * time_since_let_go(model, time)
-                 : std::numeric_limits<double>::infinity();
+/// little is turned over.
+double longest_at_start(const Model& model, double time, double allowed_by_fluid) {
+    return starts_slowly(model) ? first_share * allowed_by_fluid + share_of_time * time_since_let_go(model, time)
+                                : std::numeric_limits<double>::infinity();
 }
 
 TimeStep choose(const Model& model, State& state, Scratch& scratch, bool grows_at_start) {

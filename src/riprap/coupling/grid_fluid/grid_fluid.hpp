@@ -77,17 +77,19 @@ class GridFluid final : public FluidMethod {
     static fluid::GaugeReading read(const GaugeQuery<GridFluid>& query);
     /// Says how much water has left through the open top and was let go; empty where none has.
     static std::string let_go_text(const Settings& settings, const Fields& fields);
-    static fluid::ShownWater shown(const FluidScene& scene, const Settings& settings, const Fields& fields);
+    static fluid::ShownFluid shown(const ShownQuery<Settings>& query);
     static constexpr FluidTraits<Settings> traits{
         .offers = fluid::reading::all,
         .spacing = [](const Settings& settings) { return settings.spacing; },
         .cell_width = [](const Settings& settings) { return settings.grid.mesh.smallest_width(); },
+        .domain = [](const Settings& settings) { return &settings.scene.domain; },
         .courant = [](const Settings& settings) { return settings.courant; },
         .accounts = &accounts,
         .let_go_text = &let_go_text,
         .absorbed_ranges = &absorbed_ranges,
         .cells_text = &cells_text,
-        .shown = &shown};
+        .shown = &shown,
+        .shows_surface = true};
 
  private:
     const FluidScene* scene_;

@@ -358,10 +358,11 @@ fluid::GaugeReading GridFluid::read(const GaugeQuery<GridFluid>& query) {
     return query.gauge.kind->read(query.gauge, reader);
 }
 
-fluid::ShownWater GridFluid::shown(const FluidScene& scene, const Settings& settings, const Fields& fields) {
-    const fluid::grid::OpenShares open =
-        scene.bodies.size() > 0 ? cut_again(scene, settings, fields).open : fluid::grid::OpenShares{};
-    return show_water(settings.grid, fields.water, open);
+fluid::ShownFluid GridFluid::shown(const ShownQuery<Settings>& query) {
+    const fluid::grid::OpenShares open = query.scene.bodies.size() > 0
+                                             ? cut_again(query.scene, query.settings, query.fields).open
+                                             : fluid::grid::OpenShares{};
+    return show_water(query.settings.grid, query.fields.water, open);
 }
 
 }  // namespace riprap::coupling

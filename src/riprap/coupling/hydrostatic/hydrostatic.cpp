@@ -30,7 +30,7 @@ void reach_over_periods(const fluid::Domain& domain, HydrostaticSettings::Basin&
 
 }  // namespace
 
-void HydrostaticSettings::prepare(const FieldScene& scene) {
+std::vector<KeyProblem> HydrostaticSettings::prepare(const FieldScene& scene) {
     up = scene.up;
     levels = scene.levels;
     is_dry = scene.is_dry;
@@ -52,6 +52,7 @@ void HydrostaticSettings::prepare(const FieldScene& scene) {
         reach_over_periods(scene.domain, basin);
         basins.push_back(basin);
     }
+    return {};
 }
 
 double HydrostaticSettings::level_at(const Basin& basin, double time) const {

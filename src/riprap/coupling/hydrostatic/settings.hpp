@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "riprap/core/key_problem.hpp"
 #include "riprap/core/vec3.hpp"
 #include "riprap/coupling/field_scene.hpp"
 
@@ -51,8 +52,8 @@ struct HydrostaticSettings {
     /// Tells whether water passes through a body.
     bool passes(std::size_t body) const { return body < is_dry.size() && is_dry[body] != 0; }
 
-    /// Takes over the regions of the case.
-    void prepare(const FieldScene& scene);
+    /// Takes over the regions of the case. Returns what does not fit: nothing.
+    std::vector<KeyProblem> prepare(const FieldScene& scene);
     /// Returns the level of a basin at a time, linear between rows and constant beyond [m].
     double level_at(const Basin& basin, double time) const;
 };

@@ -40,14 +40,6 @@ void begin_particles(const ParticleFluid& water, std::int64_t first, fluid::Part
 
 }  // namespace
 
-bool ParticleMethod::books_every_step(const Settings& water) {
-    return std::visit(
-        []<class Scheme>(const Scheme& /*scheme*/) {
-            return requires { requires Scheme::books_every_step; };
-        },
-        water.scheme);
-}
-
 void ParticleMethod::start() {
     start_openings(water_->open, water_->settings(), state_.particles, state_.open);
     begin_particles(*water_, 0, state_.particles);

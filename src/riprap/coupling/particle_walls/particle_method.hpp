@@ -22,16 +22,22 @@ class ParticleMethod final : public FluidMethod {
     using Fields = NoFields;
     using Scratch = ParticleScratch;
     static std::span<const Account> accounts();
-    /// Tells whether the scheme books all that it dissipates in the step in which it does.
-    static bool books_every_step(const Settings& water);
+    static fluid::ShownFluid shown(const ShownQuery<Settings>& query);
+    static fluid::ShownFluid shown_stirred(const ShownQuery<Settings>& query);
     static constexpr FluidTraits<Settings> traits{
         .offers = fluid::reading::of_particles,
-        .books_every_step = &books_every_step,
+        .makes_up = true,
+        .starts_slowly = [](const Settings& water) { return fluid::starts_slowly(water.scheme); },
+        .books_every_step = [](const Settings& water) { return fluid::books_every_step(water.scheme); },
         .spacing = [](const Settings& water) { return water.settings().spacing; },
         .grain = [](const Settings& water) { return water.settings().spacing; },
+        .grain_mass = [](const Settings& water) { return water.settings().particle_mass; },
+        .domain = [](const Settings& water) { return &water.settings().domain; },
         .courant = [](const Settings& water) { return water.settings().courant; },
         .bytes = [](const Settings& water) { return water.bytes(); },
-        .accounts = &accounts};
+        .accounts = &accounts,
+        .shown = &shown,
+        .shown_stirred = &shown_stirred};
 
     ParticleMethod(const FluidScene& scene, const Settings& water, const FluidState& state, Fields& fields,
                    Scratch& scratch);

@@ -70,10 +70,10 @@ Vec3 way_to_surface(const Mesh& mesh, const GridState& state, const CellPlanes& 
 
 }  // namespace
 
-ShownWater show_water(const GridSettings& settings, const GridState& state, const OpenShares& open) {
+ShownFluid show_water(const GridSettings& settings, const GridState& state, const OpenShares& open) {
     const Mesh& mesh = settings.mesh;
     const CellBox& box = mesh.box;
-    ShownWater shown;
+    ShownFluid shown;
     shown.spacing = mesh.smallest_width();
     CellPlanes plane;
     reconstruct_surface(mesh, state.fraction, plane);

@@ -46,8 +46,13 @@ struct MpsSettings : ParticleSettings {
     double tolerance{1e-6};    ///< of the residual of the pressure equation [-]
     int max_iterations{1000};  ///< of its solver
 
-    bool takes_joints() const { return true; }
-    bool takes_normals() const { return wall_pressure == MpsWallPressure::averaged; }
+    static bool averages_at_walls(const MpsSettings& settings) {
+        return settings.wall_pressure == MpsWallPressure::averaged;
+    }
+    /// Its steps need not grow: each takes back a share of an error of density, however short it is.
+    static constexpr SchemeTraits<MpsSettings> traits{.starts_slowly = false,
+                                                      .takes_joints = [](const MpsSettings&) { return true; },
+                                                      .takes_normals = &averages_at_walls};
 
     double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]
     double expected_speed() const { return 0.1 * sound_speed; }   ///< [m/s]

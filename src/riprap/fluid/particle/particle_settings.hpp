@@ -31,12 +31,22 @@ struct ParticleSettings {
 
     RIPRAP_HD double smoothing_length() const { return smoothing_ratio * spacing; }
     RIPRAP_HD double support_radius() const { return 2 * smoothing_length(); }
+};
 
-    // A scheme that can do more says so by a member of its own:
-    bool takes_openings() const { return false; }      ///< water may enter and leave
-    bool takes_joints() const { return false; }        ///< water presses in joints between faces
-    bool takes_normals() const { return false; }       ///< the scheme reads BoundaryParticles::normal
-    bool takes_outward_area() const { return false; }  ///< the scheme reads BoundaryParticles::outward_area
+/// Traits of a scheme, which its settings declare as `static constexpr SchemeTraits<Settings> traits{...}`. What they
+/// leave out has the default; a name that is none of these does not compile.
+template <class Settings>
+struct SchemeTraits {
+    bool books_every_step{false};  ///< all that is dissipated is booked in the step in which it is
+    bool starts_slowly{true};      ///< the first steps after bodies were let go grow from little
+    /// Sets what follows from the keys of a case, once they are read.
+    void (*complete)(Settings&) = [](Settings&) {};
+    /// Water may enter and leave; presses in joints between faces.
+    bool (*takes_openings)(const Settings&) = [](const Settings&) { return false; };
+    bool (*takes_joints)(const Settings&) = [](const Settings&) { return false; };
+    /// The scheme reads BoundaryParticles::normal; outward_area.
+    bool (*takes_normals)(const Settings&) = [](const Settings&) { return false; };
+    bool (*takes_outward_area)(const Settings&) = [](const Settings&) { return false; };
 };
 
 }  // namespace riprap::fluid

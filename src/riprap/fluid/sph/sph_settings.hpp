@@ -27,7 +27,6 @@ enum class RunsOn : std::uint8_t { host, device };
 struct SphSettings : ParticleSettings {
     static constexpr std::string_view method_name = "sph";
     static MethodKeys<SphSettings> keys();
-    static constexpr bool books_every_step = true;  ///< see sim/method_traits.hpp
 
     SphScheme scheme{SphScheme::delta_sph};
     RunsOn runs_on{RunsOn::host};
@@ -37,15 +36,15 @@ struct SphSettings : ParticleSettings {
     double shifting{10};             ///< A of the particle shifting [-]; 0 = off
     bool gradient_correction{true};  ///< density follows the divergence inside the water
 
-    /// Follows from the keys of a case once they are read.
-    void complete() {
-        if (scheme == SphScheme::muller) {
-            state_equation = StateEquation::linear_without_tension;  // its own
+    static void complete(SphSettings& settings) {
+        if (settings.scheme == SphScheme::muller) {
+            settings.state_equation = StateEquation::linear_without_tension;  // its own
         }
     }
     /// Inflows, outflows and joints need layers that take part in the sums of a scheme with a rate of density.
-    bool takes_openings() const { return scheme == SphScheme::delta_sph; }
-    bool takes_joints() const { return scheme == SphScheme::delta_sph; }
+    static bool has_rate(const SphSettings& settings) { return settings.scheme == SphScheme::delta_sph; }
+    static constexpr SchemeTraits<SphSettings> traits{
+        .books_every_step = true, .complete = &complete, .takes_openings = &has_rate, .takes_joints = &has_rate};
     /// Müller's scheme has no loops for a device, nor have sums in double.
     bool is_on_device() const { return runs_on == RunsOn::device && scheme == SphScheme::delta_sph && !is_plain; }
 };

@@ -20,9 +20,7 @@ struct AddStressOnWall {
 
 template <class Site>
 bool DeltaSph<Site>::has_stress() const {
-    return settings_.viscosity.visit([]<class Law>(const Law&) {
-        return requires { Law::has_transposed_stress; };
-    });
+    return settings_.viscosity.visit([]<class Law>(const Law&) { return Law::has_transposed_stress; });
 }
 
 /// tau = mu (grad u)^T, by rows.

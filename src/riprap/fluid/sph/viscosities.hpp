@@ -17,7 +17,7 @@ namespace riprap::fluid {
 /// Pair::add<Dim>(v, d, r2, r, F, V, mu_pair, force) writes the viscous force of one pair per V_i [N/m^3], with
 /// d = x_i - x_j [m], v = v_i - v_j [m/s], F = (dW/dr)/r, the volume V of the neighbour and mu_pair = mu_i + mu_j
 /// [Pa s]. Times V_i, it changes sign when i and j are swapped, so momentum is kept; force.v <= 0, so it only takes
-/// energy. A viscosity with `has_transposed_stress` gets that half of the stress too, which is no sum over pairs
+/// energy. `has_transposed_stress`: whether it gets that half of the stress too, which is no sum over pairs
 /// (transposed_stress.hpp).
 using Viscosities = Chosen<  //
     ArtificialViscosity,     //

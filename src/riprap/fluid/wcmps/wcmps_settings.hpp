@@ -41,9 +41,15 @@ struct WcmpsSettings : ParticleSettings {
     double collision_ratio{0.5};     ///< speed of separation over that of approach [-]
     WallLoads wall_loads{WallLoads::pair_sum};
 
-    bool takes_joints() const { return true; }
-    bool takes_normals() const { return wall_pressure == MpsWallPressure::averaged; }
-    bool takes_outward_area() const { return wall_loads == WallLoads::pressure_area; }
+    static bool averages_at_walls(const WcmpsSettings& settings) {
+        return settings.wall_pressure == MpsWallPressure::averaged;
+    }
+    static bool presses_on_areas(const WcmpsSettings& settings) {
+        return settings.wall_loads == WallLoads::pressure_area;
+    }
+    static constexpr SchemeTraits<WcmpsSettings> traits{.takes_joints = [](const WcmpsSettings&) { return true; },
+                                                        .takes_normals = &averages_at_walls,
+                                                        .takes_outward_area = &presses_on_areas};
 
     double support_ratio() const { return 2 * smoothing_ratio; }  ///< r_e/l_0 [-]
     MpsWeight weight() const;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/io/output/output_kinds.hpp"
 
-#include <random>
-
-#include "riprap/fluid/shown_water.hpp"
+#include "riprap/fluid/shown_fluid.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/scene_frame.hpp"
 #include "riprap/sim/quantity.hpp"
@@ -12,20 +10,6 @@
 namespace riprap::io {
 
 namespace {
-
-/// Water as it will be: a lattice at rest is packed into much less than particles that have moved.
-fluid::ParticleState stirred(const fluid::ParticleSettings& settings, fluid::ParticleState water) {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> share(-1, 1);
-    for (std::size_t i = 0; i < water.position.size(); ++i) {
-        for (int axis = 0; axis < settings.domain.dimension; ++axis) {
-            water.position[i][axis] += 0.2 * settings.spacing * share(random);
-            water.velocity[i][axis] = 0.1 * settings.sound_speed * share(random);
-        }
-        water.density[i] = settings.rest_density * (1 + 0.01 * share(random));
-    }
-    return water;
-}
 
 PolyData bodies_at(const sim::Moment& moment, std::span<const DrawnPlane> planes) {
     const std::vector<Vec3> no_force;
@@ -42,10 +26,12 @@ class Frames : public Output {
  public:
     Frames(const FrameFiles& chosen, const OutputRun& run)
         : chosen_(chosen), folder_(run.folder), frames_(run.frames()), planes_(draw_planes(run.model, run.initial)) {
-        if (run.model.particles() != nullptr) {
-            kinds_ = {"bodies", "water"};
-        } else if (sim::draws_fluid(run.model)) {
-            kinds_ = {"bodies", "water", "surface"};
+        const sim::DrawnFluid drawn = sim::drawn_fluid(run.model);
+        if (drawn.points) {
+            kinds_.push_back("water");
+        }
+        if (drawn.surface) {
+            kinds_.push_back("surface");
         }
         for (const char* kind : {"bodies", "contacts", "water", "surface"}) {
             std::error_code ignored;
@@ -55,11 +41,11 @@ class Frames : public Output {
     void write_frame(const sim::Moment& moment, const std::string& tag) override {
         const sim::State& state = moment.state;
         write_vtp(path_of("bodies", tag), bodies_at(moment, planes_), state.time);
-        if (const auto* particles = moment.model.particles()) {
-            write_fluid(path_of("water", tag), particles->settings(), state.fluid, state.time);
-        } else if (const auto water = sim::shown_fluid(moment.model, state)) {
-            write_field(path_of("water", tag), *water, state.time);
-            write_vtp(path_of("surface", tag), draw_surface(*water), state.time);
+        if (const auto water = sim::shown_fluid(moment.model, state)) {
+            write_fluid(path_of("water", tag), *water, state.time);
+            if (sim::drawn_fluid(moment.model).surface) {
+                write_vtp(path_of("surface", tag), draw_surface(*water), state.time);
+            }
         }
         if (chosen_.contacts) {
             write_vtp(path_of("contacts", tag), contacts_at(moment), state.time);
@@ -107,9 +93,8 @@ double FrameFiles::frame_bytes(const sim::Moment& moment) const {
     }
     auto bytes =
         static_cast<double>(encode_vtp(bodies_at(moment, draw_planes(moment.model, moment.initial)), 0).size());
-    if (const auto* particles = moment.model.particles()) {
-        put_fluid([&bytes](std::string_view piece) { bytes += static_cast<double>(piece.size()); },
-                  particles->settings(), stirred(particles->settings(), moment.state.fluid), 0);
+    if (const auto water = sim::stirred_fluid(moment.model, moment.state)) {
+        put_fluid([&bytes](std::string_view piece) { bytes += static_cast<double>(piece.size()); }, *water, 0);
     }
     return bytes + (contacts ? static_cast<double>(encode_vtp(contacts_at(moment), 0).size()) : 0);
 }

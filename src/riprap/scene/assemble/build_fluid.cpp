@@ -242,9 +242,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
 
 template <std::derived_from<fluid::ParticleSettings> Settings>
 void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
-    if constexpr (requires { settings.complete(); }) {
-        settings.complete();
-    }
+    Settings::traits.complete(settings);
     build_particles(build, &table, settings);
 }
 
@@ -307,12 +305,8 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     if (!read_field_scene(build, table, scene)) {
         return;
     }
-    if constexpr (requires { settings.prepare(scene).size(); }) {
-        for (const KeyProblem& problem : settings.prepare(scene)) {
-            build.problem(place_of(table, problem.key), problem.message, problem.allowed);
-        }
-    } else if constexpr (requires { settings.prepare(scene); }) {
-        settings.prepare(scene);
+    for (const KeyProblem& problem : settings.prepare(scene)) {
+        build.problem(place_of(table, problem.key), problem.message, problem.allowed);
     }
     if (table.find("domain") != nullptr) {  // a fluid with a domain cuts solids into its cells
         check_lengths(build, scene.domain);

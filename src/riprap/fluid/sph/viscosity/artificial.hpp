@@ -22,7 +22,7 @@ struct ArtificialViscosity {
     static constexpr std::string_view help = "particles that approach repel";
     static KeyList<ArtificialViscosity> keys();
 
-    static constexpr bool follows_strain = false;
+    static constexpr bool follows_strain = false, has_transposed_stress = false;
     double alpha{0.02};  ///< [-]
 
     /// Equivalent kinematic viscosity: alpha c_0 h/(2 (dimension + 2)) [Monaghan2005].
