@@ -12,6 +12,7 @@
 #include <fstream>
 #include <utility>
 
+#include "riprap/io/continued_file.hpp"
 #include "riprap/io/own_file.hpp"
 
 namespace riprap::io {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Reads a run folder for looking at it. Takes what is there: a file that is missing, cut or not of Riprap is left out
-// with a notice, and everything else still works.
-
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -61,8 +58,5 @@ struct RecordedRun {
     std::vector<std::string> warnings;  ///< of the run itself, about its results
     std::vector<std::string> notices;   ///< what could not be read, for the user
 };
-
-/// @throws FileError when the folder does not exist or nothing in it was written by a run
-RecordedRun read_run(const std::filesystem::path& folder);
 
 }  // namespace riprap::view
