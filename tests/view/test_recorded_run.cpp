@@ -20,6 +20,7 @@
 #include "riprap/view/page_content.hpp"
 #include "riprap/view/read_run.hpp"
 #include "run/falling_blocks.hpp"
+#include "view/unpack.hpp"
 
 namespace riprap::view {
 namespace {
