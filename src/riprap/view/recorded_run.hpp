@@ -51,7 +51,7 @@ struct RecordedRun {
     std::string case_text, resolved_text;
     std::string summary_json, ticket_json;  ///< as written; empty when missing or no JSON
     Vec3 gravity;                           ///< at full strength, before it turns [m/s^2]
-    body::Gravity gravity_law;              ///< the same over time
+    body::Gravity gravity_law;              ///< gravity over time
     std::vector<GaugePlace> gauges;         ///< fixed in space
     StillWater still_water;                 ///< no basin: there is none
     bool is_planar{false};
