@@ -66,6 +66,7 @@ struct Restart {
     RunRecord record;
     std::string notice;  ///< why the latest checkpoint was not used, or that it is of an older version; else empty
     bool is_of_unknown_case{false};  ///< of an older version, whose hash of the same case is another
+    bool is_of_older_version{false};
 };
 
 /// Writes the latest checkpoint and keeps the one before. @throws FileError; the old checkpoints are then untouched
