@@ -11,6 +11,7 @@
 #include "coupling/tank_scenes.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/fill.hpp"
+#include "riprap/coupling/pack_sums.hpp"
 #include "riprap/coupling/samples/sample_shapes.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 #include "riprap/geometry/convex_query.hpp"
@@ -115,6 +116,45 @@ TEST(Pack, water_is_even_beside_faces_that_the_lattice_does_not_follow) {
         with_disc.add_walls();
         with_disc.add(disc(0.2), at(0.47, 0.41, 0));
         with_disc.expect_even(0.8 - 24 * std::sin(2 * std::numbers::pi / 48) * 0.04, 2 * dp * dp);
+    }
+}
+
+/// The least distance between two particles [m].
+double least_distance(const std::vector<Vec3>& position) {
+    double least = 1;
+    for (std::size_t i = 0; i < position.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            least = std::min(least, norm(position[i] - position[j]));
+        }
+    }
+    return least;
+}
+
+// The slope of the kernel vanishes where two particles share a place: three stayed in one corner of a tank.
+TEST(Pack, pairs_nearer_than_half_a_spacing_push_each_other_away) {
+    const double volume = dp * dp * dp;
+    const fluid::WendlandC2 kernel(2 * dp, 3);
+    const auto push = [&](double share) {
+        const double r = share * dp;
+        double sum[3] = {0, 0, 0};
+        const double d[3] = {0, r, 0};
+        fluid::PackedSlope::of(kernel, dp, volume).operator()<3, double>(nullptr, nullptr, d, r * r, r, sum);
+        return -volume * dp * (sum[1] - kernel.slope_over_r(r) * r);
+    };
+    EXPECT_NEAR(push(0.25), 0.25, 1e-12);
+    EXPECT_NEAR(push(0.01), 0.49, 1e-12);
+    EXPECT_EQ(push(0.51), 0);
+}
+
+// Along the edge of a floor and a wall that halves cells, rows that were too full went into the walls, and were put
+// back to one place: at rest by the smooth weight, thrown out by the published one.
+TEST(Pack, no_two_particles_share_a_place_in_corners_of_tanks) {
+    for (const auto& [ratio, off] : {std::pair{1.05, 0.25}, {1.5, 0.5}, {1.55, 0.75}}) {
+        Tank tank(3, ratio);
+        tank.add_walls(0, 1 - off * dp);
+        Filling filling = tank.filled();
+        tank.packed(filling);
+        EXPECT_GT(least_distance(filling.particles.position), 0.5 * dp) << ratio << ' ' << off;
     }
 }
 

@@ -6,8 +6,7 @@
 #include "riprap/core/fields.hpp"
 #include "riprap/core/key.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/mps/mps_step.hpp"
-#include "riprap/fluid/wcmps/wcmps_step.hpp"
+#include "riprap/fluid/schemes.hpp"
 
 namespace riprap::fluid::testing {
 namespace {

@@ -124,7 +124,7 @@ TEST_P(DeepWaterDisc, is_lifted_by_the_weight_of_its_water_where_it_is_held) {
         ASSERT_TRUE(simulation.step(sim::Measure::flow).is_accepted());
         const double now = simulation.state().time;
         if (now > 0.4) {
-            impulse += (now - before) * simulation.scratch().water_loads().pressure.force[body].y;
+            impulse += (now - before) * simulation.scratch().fluid_loads().pressure.force[body].y;
             seconds += now - before;
         }
         before = now;
@@ -178,7 +178,7 @@ material = "rock"
     while (simulation.steps_left() > 0) {
         ASSERT_TRUE(simulation.step(sim::Measure::flow).is_accepted());
         const double now = simulation.state().time;
-        impulse += now > 0.1 ? (now - before) * simulation.scratch().water_loads().pressure.force[body].y : 0;
+        impulse += now > 0.1 ? (now - before) * simulation.scratch().fluid_loads().pressure.force[body].y : 0;
         before = now;
     }
     EXPECT_NEAR(impulse / 0.1, 1000 * gravity * 0.2 * 0.16, 0.03 * 1000 * gravity * 0.2 * 0.16);

@@ -220,12 +220,30 @@ TEST(ExpectWords, BodiesOfEntriesAreTakenTogether) {
     }
 }
 
+TEST(ExpectWords, TheFrontOfAHeapLeavesOutWhatRolledOffIt) {
+    const std::string loose =
+        "[[body]]\nname = 'loose'\nshape = { cube = 0.5 }\nposition = [30.0, 0.0, 10.0]\nmaterial = 'rock'\n";
+    const std::string end = "reported = true\n";
+    const auto results = results_of(row + loose + expect("max", "quantity = 'row,loose[max].position.x'\n" + end) +
+                                    expect("two", "quantity = 'row,loose[front 2 1.1].position.x'\n" + end) +
+                                    expect("four", "quantity = 'row,loose[front 4 3.1].position.x'\n" + end) +
+                                    expect("one", "quantity = 'row,loose[front 1 0.1].axis_distance'\n" + end) +
+                                    expect("too many", "quantity = 'row,loose[front 4 2.9].position.x'\n" + end));
+    const std::vector<double> exact{30.0, 13.0, 13.0, 30.0};
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        EXPECT_NEAR(results[i].value, exact[i], 0.03) << results[i].name;
+        EXPECT_EQ(results[i].unit, "m");
+    }
+    EXPECT_TRUE(std::isnan(results[4].value));
+}
+
 TEST(ExpectWords, GroupsOfWhatIsNotThereAreToldWithTheirPlace) {
     const std::string band = "low = 0.0\nhigh = 9.0\n";
     for (const std::string quantity :
          {"heap[mean].position.x", "row[median].position.x", "row[mean].colour", "row,row[sum].position.x", "row[mean]",
           "row[sum", "row]sum[.position.x", "row[above].position.x", "row[above high].position.x",
-          "row[above 1 m].position.x", "row[sum 1].position.x"}) {
+          "row[above 1 m].position.x", "row[sum 1].position.x", "row[front 2].position.x", "row[front 2 0].position.x",
+          "row[front 2 1 1].position.x"}) {
         EXPECT_THAT(problem_of(row + expect("a", "quantity = '" + quantity + "'\n" + band)),
                     HasSubstr("case.toml:27:12: there is no quantity '" + quantity + "'"));
     }

@@ -144,7 +144,7 @@ velocity = [0.5, 0.0]
     std::string told;
     while (run.state.time < 1.0 && told.empty()) {
         run.step();
-        told = run.report.intruder;
+        told = run.report.particles.intruder;
         front = run.state.bodies.position[1].x + 0.1;
     }
     EXPECT_EQ(told, "'block' stands behind the opening 'downstream', among the layers of its water");

@@ -271,8 +271,8 @@ TEST(LedgerVerdict, SeesEnergyThatAGridMakesAfterItHasLostMore) {
     ledger.turnover = ledger.kinetic = 0;
     const auto measure = [&](double kinetic) {
         coupling::FluidStep step;
-        step.fluid.kinetic = kinetic * tank.lift();
-        step.fluid.mass = tank.ledger.fluid.mass;
+        step.balance.kinetic = kinetic * tank.lift();
+        step.balance.mass = tank.ledger.fluid.mass;
         step.own = {0};
         account_fluid({step, 0, 0}, accounts, state.ledger, ledger);
         ledger.residual = 0;

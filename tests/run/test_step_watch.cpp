@@ -38,9 +38,9 @@ TEST(StepWatch, warns_once_of_added_mass_that_does_not_converge_and_counts_the_s
     Watched run;
     EXPECT_THAT(run.look(quiet()), IsEmpty());
     sim::StepReport open = quiet();
-    open.is_water_settled = false;
-    open.water_passes = 20;
-    open.water_residual = 0.25;
+    open.is_fluid_settled = false;
+    open.fluid_passes = 20;
+    open.fluid_residual = 0.25;
     EXPECT_THAT(run.look(open), ElementsAre(HasSubstr("step 2, t = 0 s: the accelerations of light bodies in water "
                                                       "have not settled after 20 passes, 0.25 of them")));
     EXPECT_THAT(run.look(open), IsEmpty());
@@ -78,7 +78,7 @@ TEST(StepWatch, warns_once_of_friction_that_does_not_settle_and_counts_contacts_
 TEST(StepWatch, warns_once_of_a_body_behind_an_opening_and_counts_the_steps) {
     Watched run;
     sim::StepReport report = quiet();
-    report.intruder = "'block' stands behind the opening 'out'";
+    report.particles.intruder = "'block' stands behind the opening 'out'";
     EXPECT_THAT(run.look(report), ElementsAre(HasSubstr("'block' stands behind the opening 'out'")));
     EXPECT_THAT(run.look(report), IsEmpty());
     EXPECT_EQ(run.counts.with_intruder, 2);
@@ -97,7 +97,7 @@ TEST(StepWatch, warns_again_of_a_step_above_its_bound_when_the_excess_has_double
     EXPECT_EQ(step_of(3.1), 1U);
     EXPECT_EQ(run.counts.above_bound, 3);
     sim::StepReport forced = quiet();
-    forced.water_dt_bound = 1e-4;
+    forced.fluid_dt_bound = 1e-4;
     EXPECT_THAT(run.look(forced), ElementsAre(HasSubstr("is 10 times what the water allows now (0.0001 s")));
 }
 

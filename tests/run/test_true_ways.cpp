@@ -10,7 +10,6 @@
 #include "riprap/run/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/prediction.hpp"
-#include "riprap/sim/scratch_data.hpp"
 
 namespace riprap::run {
 namespace {
@@ -104,12 +103,14 @@ TEST(WaysThatWallsMissed, AreMadeUpForByNoMoreThanGravityDoesInAStep) {
         "case.toml", ".");
     sim::initialise(loaded.model, loaded.state);
     constexpr double dt = 1e-3, most = 0.5 * 9.81 * dt;  // [s], [m/s]
-    sim::Prediction prediction;
+    sim::Scratch scratch;
+    sim::BoundMethods bound(loaded.model, loaded.state, scratch.data());
+    sim::StepContext step = begin_step(loaded.model, loaded.state, scratch.data(), bound, dt, sim::Measure::flow, {});
     const auto catch_up = [&](double way, double turn) {
         loaded.state.coupling.missed_way[3] = {0, way, 0};
         loaded.state.coupling.missed_turn[3] = {0, 0, turn};
-        begin_ways(loaded.model, loaded.state, dt, prediction);
-        return prediction.catch_up[3];
+        begin_prediction(step);
+        return scratch.data().prediction.catch_up[3];
     };
     const body::Acceleration small = catch_up(0.5 * most * dt, most * dt), large = catch_up(1, 1);
     EXPECT_NEAR(small.linear.y, 0.5 * most, 1e-12);

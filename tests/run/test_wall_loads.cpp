@@ -66,7 +66,7 @@ TEST_P(WallLoads, in_the_corners_of_a_tank_are_those_of_the_pressure_on_each_fac
             ASSERT_TRUE(simulation.step(sim::Measure::flow).is_accepted());
             const double now = simulation.state().time;
             for (std::size_t b = 0; b < impulse.size(); ++b) {
-                impulse[b] += (now - before) / 0.03 * simulation.scratch().water_loads().pressure.force[b];
+                impulse[b] += (now - before) / 0.03 * simulation.scratch().fluid_loads().pressure.force[b];
             }
             before = now;
         }

@@ -64,7 +64,7 @@ TEST_P(ParticleFluids, a_block_that_half_the_water_carries_stays_about_where_it_
         const sim::StepReport report = sim::advance(loaded.model, loaded.state, scratch, dt);
         ASSERT_EQ(report.status.text, "");
         ASSERT_TRUE(std::isfinite(report.ledger.kinetic));
-        impulse += dt * (scratch.water_loads().pressure.force[3] + scratch.water_loads().viscous.force[3]);
+        impulse += dt * (scratch.fluid_loads().pressure.force[3] + scratch.fluid_loads().viscous.force[3]);
     }
     // what the water gave is what moves the block, and what carries it
     const double mass = loaded.model.bodies.mass[3];
@@ -106,7 +106,7 @@ TEST_P(ParticleFluids, water_about_a_block_on_rows_of_the_lattice_begins_at_rest
         const sim::StepReport report = sim::advance(loaded.model, loaded.state, scratch, dt, sim::Measure::energy);
         ASSERT_EQ(report.status.text, "");
         most = std::max(most, report.ledger.fluid.kinetic);
-        lift += dt * scratch.water_loads().pressure.force[3].y;
+        lift += dt * scratch.fluid_loads().pressure.force[3].y;
     }
     EXPECT_LT(most, 0.1);  // it had 4.0 J/m (mps), 0.29 J/m (wcmps) and 0.81 J/m (sph)
     EXPECT_NEAR(lift / loaded.state.time, 1000 * 9.81 * 0.2 * 0.075, 0.05 * 1000 * 9.81 * 0.2 * 0.075);

@@ -263,6 +263,26 @@ TEST(ReadCase, gravity_can_grow_and_turn) {
     EXPECT_GE(gravity.stop, 1e300);
 }
 
+TEST(ReadCase, GravityTurnsByGivenAnglesAndStopsOnItsWay) {
+    const auto near = [](const Vec3& a, const Vec3& b) { return norm(a - b) < 1e-12; };
+    const auto turning = [](const std::string& keys) {
+        return with(minimal_case, "gravity = [0.0, 0.0, -9.81]",
+                    "gravity = { value = [0, 0, -10], rotation = { axis = [0, -1, 0], " + keys + " } }");
+    };
+    const body::Gravity gravity =
+        read(turning("time = [1, 2, 5, 6], angle = [\"0 deg\", \"90 deg\", \"90 deg\", \"0 deg\"]")).model.gravity;
+    EXPECT_TRUE(near(gravity.at(0), {0, 0, -10}));
+    EXPECT_TRUE(near(gravity.at(1.5), {std::sqrt(50.0), 0, -std::sqrt(50.0)}));
+    EXPECT_TRUE(near(gravity.at(4), {10, 0, 0}));
+    EXPECT_TRUE(near(gravity.at(7), {0, 0, -10}));
+    EXPECT_TRUE(near(gravity.held().at(4), {0, 0, -10})) << "as it is at time 0";
+    EXPECT_THAT(problems_of(turning("time = [1, 1], angle = [0, 1]")), ElementsAre(HasSubstr("increasing times")));
+    EXPECT_THAT(problems_of(turning("time = [1, 2], angle = [0]")), ElementsAre(HasSubstr("2 times and 1 angles")));
+    EXPECT_THAT(problems_of(turning("rate = 1, time = [1, 2], angle = [0, 1]")), ElementsAre(HasSubstr("rate")));
+    EXPECT_THAT(problems_of(turning("start = 2, time = [1, 2], angle = [0, 1]")),
+                ElementsAre(HasSubstr("'start' goes with 'rate'")));
+}
+
 TEST(ReadCase, a_pair_of_materials_replaces_the_mixed_values) {
     const std::string text = minimal_case + R"([[body]]
 name = "ground"

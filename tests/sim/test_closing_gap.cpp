@@ -52,7 +52,7 @@ TEST(ClosingGap, a_block_that_sinks_flat_lands_when_the_water_under_it_has_left_
         }
         double uplift = 0, count = 0;
         for (; basin.state.time < 2 && step(); ++count) {
-            uplift += scratch.water_loads().pressure.force[0].y;
+            uplift += scratch.fluid_loads().pressure.force[0].y;
         }
         uplift /= count;
         EXPECT_LT(std::abs(gap()), 0.05 * dp);

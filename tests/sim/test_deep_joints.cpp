@@ -46,7 +46,7 @@ double excess(double heights, double gap, double ratio = 1.5) {
     for (int i = 0; i < warm + count; ++i) {
         const StepReport report = pool.steps(1, scratch);
         EXPECT_TRUE(report.status.ok()) << report.status.text;
-        mean += i < warm ? 0 : scratch.water_loads().pressure.force[0].y / count;
+        mean += i < warm ? 0 : scratch.fluid_loads().pressure.force[0].y / count;
     }
     return (mean - 1000 * 9.81 * edge * edge) / (1000 * 9.81 * depth * edge);
 }
@@ -84,7 +84,7 @@ TEST(DeepJoints, a_gap_wider_than_two_rows_of_particles_is_water_and_no_joint) {
         pool.model.particles()->has_joint_pressure = has_joints;
         Scratch scratch;
         EXPECT_TRUE(pool.steps(3, scratch).status.ok());
-        return scratch.water_loads().pressure.force[0];
+        return scratch.fluid_loads().pressure.force[0];
     };
     EXPECT_EQ(force(2.5, true), force(2.5, false));
     EXPECT_NE(force(1.5, true), force(1.5, false));

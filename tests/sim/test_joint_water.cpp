@@ -25,7 +25,7 @@ struct Lying : Basin {
         for (int i = 0; i < warm + count; ++i) {
             const StepReport report = steps(1, scratch);
             EXPECT_TRUE(report.status.ok()) << report.status.text;
-            sum += i < warm ? Vec3{} : scratch.water_loads().pressure.force[body];
+            sum += i < warm ? Vec3{} : scratch.fluid_loads().pressure.force[body];
         }
         return (1.0 / count) * sum;
     }
@@ -61,8 +61,8 @@ TEST(JointWater, a_block_on_another_is_lifted_by_the_water_between_them_and_pres
     Vec3 lower{}, upper{};
     for (int i = 0; i < 200; ++i) {
         basin.steps(1, scratch);
-        lower += 0.005 * scratch.water_loads().pressure.force[0];
-        upper += 0.005 * scratch.water_loads().pressure.force[1];
+        lower += 0.005 * scratch.fluid_loads().pressure.force[0];
+        upper += 0.005 * scratch.fluid_loads().pressure.force[1];
     }
     EXPECT_NEAR(upper.y, buoyancy, 0.03 * buoyancy);
     EXPECT_NEAR(lower.y, buoyancy, 0.03 * buoyancy);
@@ -107,7 +107,7 @@ TEST(JointWater, under_a_dam_uplift_falls_linearly_from_the_head_upstream_to_not
     // here.
     ASSERT_LT(std::ssize(with.state.coupling.near_samples), with.model.particles()->samples.size());
     ASSERT_GT(with.state.coupling.near_samples.back(), std::ssize(with.state.coupling.near_samples));
-    const coupling::FluidLoads &a = of_with.water_loads(), &b = of_without.water_loads();
+    const coupling::FluidLoads &a = of_with.fluid_loads(), &b = of_without.fluid_loads();
     const Vec3 uplift = a.pressure.force[0] - b.pressure.force[0];
     const double triangle = 0.5 * 1000 * 9.81 * Dam::depth * Dam::width;
     EXPECT_NEAR(uplift.y, triangle, 0.05 * triangle);
@@ -128,7 +128,7 @@ TEST(JointWater, under_a_dam_a_seam_of_the_floor_is_no_rim_of_the_joint) {
         Scratch of_with, of_without;
         with.steps(1, of_with);
         without.steps(1, of_without);
-        const coupling::FluidLoads &a = of_with.water_loads(), &b = of_without.water_loads();
+        const coupling::FluidLoads &a = of_with.fluid_loads(), &b = of_without.fluid_loads();
         const double triangle = 0.5 * 1000 * 9.81 * Dam::depth * Dam::width;
         EXPECT_NEAR(a.pressure.force[0].y - b.pressure.force[0].y, triangle, 0.05 * triangle) << seam;
     }
@@ -141,7 +141,7 @@ TEST(JointWater, there_is_none_where_there_is_no_water) {
     basin.fill({0, 0, 0}, {0.5, 0.5, 0}, {1.5 + dp, 1, 0}, 0.5, {0, -9.81, 0});
     Scratch scratch;
     basin.steps(3, scratch);
-    EXPECT_EQ(norm(scratch.water_loads().pressure.force[0]), 0);
+    EXPECT_EQ(norm(scratch.fluid_loads().pressure.force[0]), 0);
 }
 
 TEST(JointWater, what_one_side_of_a_joint_gains_the_other_loses) {
@@ -180,7 +180,7 @@ TEST(JointWater, beside_a_wall_the_dry_rim_above_the_water_takes_nothing_from_th
     basin.fill({0, 0, 0}, {2, depth, 0}, {dp, 1, 0}, depth, {0, -9.81, 0});
     Scratch scratch;
     basin.steps(1, scratch);
-    const Vec3 force = scratch.water_loads().pressure.force[0];
+    const Vec3 force = scratch.fluid_loads().pressure.force[0];
     EXPECT_NEAR(force.x, 0, 0.1 * 0.5 * 1000 * 9.81 * depth * depth);
     EXPECT_NEAR(force.y, 1000 * 9.81 * depth * 0.4, 0.05 * 1000 * 9.81 * depth * 0.4);
 }
@@ -202,7 +202,7 @@ TEST(JointWater, a_wall_that_is_driven_but_stands_shuts_a_joint_as_one_that_neve
         basin.fill({0, 0, 0}, {2, 0.3, 0}, {0.2, 1, 0}, 0.3, {0, -9.81, 0});
         Scratch scratch;
         basin.steps(1, scratch);
-        force.push_back(scratch.water_loads().pressure.force[0]);
+        force.push_back(scratch.fluid_loads().pressure.force[0]);
     }
     EXPECT_NEAR(force[1].x, force[0].x, 0.02 * force[0].y);
     EXPECT_NEAR(force[1].y, force[0].y, 0.02 * force[0].y);

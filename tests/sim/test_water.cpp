@@ -8,7 +8,7 @@
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/samples/sample_shapes.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
-#include "riprap/fluid/sph/sph_step.hpp"
+#include "riprap/fluid/schemes.hpp"
 #include "sim/basin.hpp"
 
 namespace riprap::sim {
@@ -104,7 +104,7 @@ TEST(Water, a_block_as_heavy_as_water_hangs_still_in_it) {
     basin.model.time.end = 1;
     const StepReport report = basin.steps(300, scratch);
     ASSERT_TRUE(report.status.ok()) << report.status.text;
-    const Vec3 force = scratch.water_loads().pressure.force[0];
+    const Vec3 force = scratch.fluid_loads().pressure.force[0];
     EXPECT_NEAR(force.y, 1000 * 9.81 * 0.4 * 0.4, 0.1 * 1000 * 9.81 * 0.4 * 0.4);
     EXPECT_NEAR(basin.state.bodies.position[0].y, 0.5, 0.2 * dp);
 }
@@ -124,7 +124,7 @@ TEST(Water, a_light_block_released_under_water_is_stable) {
             const StepReport report = basin.steps(1, scratch);
             ASSERT_TRUE(report.status.ok()) << density << ": " << report.status.text;
             most = std::max(most, norm(basin.state.coupling.acceleration[0]));
-            passes += report.water_passes;
+            passes += report.fluid_passes;
         }
         // With no added mass at all it could reach g (rho/rho_s - 1); with that of a square, 1.19 of its area, far
         // less.
@@ -153,7 +153,7 @@ TEST(Water, steps_grow_from_a_fiftieth_by_a_twentieth_of_the_time_since_bodies_w
     Scratch scratch;
     initialise(basin.model, basin.state);
     basin.model.time.end = 1000;
-    const double allowed = choose_fluid_time_step(basin.model.particles()->sph(), basin.state.fluid).limit;
+    const double allowed = make_scheme(basin.model.particles()->sph())->limit(basin.state.fluid).limit;
     const auto next = [&](double time) {
         basin.state.time = time;
         return choose_time_step(basin.model, basin.state, scratch).dt / allowed;
@@ -195,7 +195,7 @@ TEST(Water, a_fixed_step_that_becomes_too_long_on_the_way_ends_the_run_unless_fo
     Basin basin = collision();
     Scratch scratch;
     initialise(basin.model, basin.state);
-    const double limit = choose_fluid_time_step(basin.model.particles()->sph(), basin.state.fluid).limit;
+    const double limit = make_scheme(basin.model.particles()->sph())->limit(basin.state.fluid).limit;
     basin.model.time.time_step = 0.95 * limit;
     ASSERT_TRUE(basin.steps(2, scratch).status.ok());
     basin.state.fluid.velocity[0] = {30, 0, 0};  // as fast as sound: the limit is about half as long
@@ -208,7 +208,7 @@ TEST(Water, a_fixed_step_that_becomes_too_long_on_the_way_ends_the_run_unless_fo
     basin.model.time.force_time_step = true;
     const StepReport forced = advance(basin.model, basin.state, scratch, 0.95 * limit);
     EXPECT_TRUE(forced.status.ok()) << forced.status.text;
-    EXPECT_LT(forced.water_dt_bound, 0.6 * limit);
+    EXPECT_LT(forced.fluid_dt_bound, 0.6 * limit);
 }
 
 TEST(Water, the_memory_that_is_counted_grows_with_the_lists_of_neighbours) {

@@ -11,7 +11,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/sort.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
-#include "riprap/fluid/sph/sph_step.hpp"
+#include "riprap/fluid/sph/delta_sph.hpp"
 
 namespace riprap::bench {
 
@@ -23,17 +23,21 @@ constexpr double bytes_per_particle = 300;  ///< that a pass must move through m
 /// Whole steps of the default scheme, with everything a step does but output.
 class Steps {
  public:
-    explicit Steps(const SphColumn& column) : column_(column) {}
+    explicit Steps(const SphColumn& column) : column_(column), scheme_(column.settings) {}
     void operator()() {
         fluid::SphSettings& s = column_.settings;
         if (step_++ % s.sort_interval == 0) {
             sort_by_place(column_.water, s.domain, s.spacing);
         }
         fluid::FluidReport report;
-        const double dt = fluid::choose_fluid_time_step(s, column_.water).limit;
-        update_density(s, column_.water, column_.walls, column_.gravity, 0.5 * (last_dt_ + dt), scratch_, report);
+        const double dt = scheme_.limit(column_.water).limit;
+        const TimeSpan span{0, dt};
+        const Vec3& g = column_.gravity;
+        scheme_.update_density(column_.water, column_.walls, g, 0.5 * (last_dt_ + dt), report);
         drift(s, column_.water, 0.5 * dt);
-        accelerate(s, column_.water, column_.walls, column_.gravity, dt, 0, scratch_, report);
+        scheme_.begin_forces(column_.water, column_.walls, span, g, report);
+        scheme_.load_walls(column_.water, column_.walls, g);
+        scheme_.kick(column_.water, column_.walls, g, span, {}, report);
         drift(s, column_.water, 0.5 * dt);
         last_dt_ = dt;
         problem = report.problem;
@@ -42,7 +46,7 @@ class Steps {
 
  private:
     SphColumn column_;
-    fluid::SphScratch scratch_;
+    fluid::DeltaSph<fluid::WaterInPlace> scheme_;
     double last_dt_{0};
     std::int64_t step_{0};
 };

@@ -43,12 +43,6 @@ struct DensityRatePair {
         sum[0] += b[4] * slope * ((a[3] + Real(c.rest_density)) * divergence - diffusion);
         back[0] += a[4] * slope * ((b[3] + Real(c.rest_density)) * divergence + diffusion);
     }
-    template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
-        Real back[back_sums] = {Real(0)};
-        exchange<Dim>(target, candidate, d, r2, r, sum, back);
-    }
 };
 
 /// Acceleration by pressure and artificial viscosity [Monaghan1992]:
@@ -79,12 +73,6 @@ struct AccelerationPair {
             sum[axis] += push * d[axis];
             back[axis] -= push * d[axis];
         }
-    }
-    template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
-        Real back[back_sums] = {Real(0), Real(0), Real(0)};
-        exchange<Dim>(target, candidate, d, r2, r, sum, back);
     }
 };
 

@@ -62,7 +62,7 @@ std::string Run::shares(double seconds) const {
         named += share;
     };
     const sim::StageTimes solids = times();
-    add("water", solids.water);
+    add("water", solids.fluid);
     add("find pairs", solids.find_pairs);
     add("contacts", solids.find_contacts + solids.contact_loads);
     add("move bodies", solids.move_bodies);
@@ -89,9 +89,9 @@ Timing times_as_long(Run& longer, Run& shorter) {
 Timing times_as_long_for_water(Run& longer, Run& shorter) {
     const ThreadScope scope(1);
     const auto water_of = [](Run& run) {
-        const double before = run.times().water;
+        const double before = run.times().fluid;
         run.steps_in_a_row(batch);
-        return run.times().water - before;
+        return run.times().fluid - before;
     };
     return compare_seconds([&] { return water_of(longer); }, [&] { return water_of(shorter); }, pairs_of_batches);
 }
@@ -113,7 +113,7 @@ void measure_steps(const Setting& setting, const std::string& name, const StepSc
                            fmt::format("{:.2f} ms a step; {:.0f} particles, {:.0f} free blocks, {} steps of the solids "
                                        "and {} passes a step; {}; {}",
                                        1e3 * timing.median, run.particles(), run.blocks(), run.report.substeps,
-                                       run.report.water_passes, run.shares(seconds), spread(timing))});
+                                       run.report.fluid_passes, run.shares(seconds), spread(timing))});
         if (threads == 1) {
             results.push_back({name + ".memory", threads, run.bytes(), "B/particle", "Model, State and Scratch"});
             continue;

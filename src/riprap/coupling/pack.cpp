@@ -10,7 +10,7 @@
 #include "riprap/coupling/fill_solids.hpp"
 #include "riprap/coupling/pack_sums.hpp"
 #include "riprap/coupling/zone.hpp"
-#include "riprap/fluid/particle/mps_lattice.hpp"
+#include "riprap/fluid/mps_operators/mps_lattice.hpp"
 #include "riprap/fluid/particle/sort.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 
@@ -52,7 +52,8 @@ class Crowd {
         for (int axis = 0; axis < 3; ++axis) {
             sums[at(axis)] = fluid::sink_component(slopes_, axis);
         }
-        fluid::exchange_within<fluid::PackedSlope>({kernel_}, reach_, {moving, {}}, fluid::fresh(sums), among_moving_);
+        fluid::exchange_within<fluid::PackedSlope>(fluid::PackedSlope::of(kernel_, spacing_, volume_), reach_,
+                                                   {moving, {}}, fluid::fresh(sums), among_moving_);
         fluid::sweep<fluid::PackedSlopeOfRest>({kernel_}, reach_, {moving, {}}, {rest, {fluid::field(rest_share)}},
                                                sums, with_rest_);
         parallel::for_each(static_cast<std::int64_t>(moving.size()), [&](std::int64_t m) {
@@ -102,8 +103,60 @@ struct Uneven {
     double sum{0}, most{0};
 };
 
+/// The place next to x that is as far from faces as `fill` allows, on the plane of x in planar scenes; still near one
+/// where solids leave no such place.
+Vec3 put_off_faces(const FillSolids& solids, const fluid::ParticleSettings& settings, Vec3 x) {
+    const double distance = face_distance(settings), z = x.z;
+    for (int n = 0; n < faces_at_once && solids.are_near(x, distance); ++n) {
+        x = solids.push_out(x, (1 + lattice_slack) * distance);
+        x.z = settings.domain.dimension == 2 ? z : x.z;
+    }
+    return x;
+}
+
+/// Keeps places off faces while they move. A row that is too full beside the edge of two walls is pressed out between
+/// their boundary particles, and others follow; put back at the end they would share places.
+class FaceGuard {
+ public:
+    FaceGuard(const FillSolids& solids, const fluid::ParticleSettings& settings, std::size_t places)
+        : solids_(&solids), settings_(&settings), free_way_(places, 0), off_(places) {}
+
+    /// Takes a place that went by `step` to x off faces, and shortens the step by as much.
+    void hold(std::size_t place, Vec3& step, Vec3& x) {
+        double& free_way = free_way_[place];
+        free_way -= norm(step);
+        if (free_way > 0) {
+            return;
+        }
+        off_[place] = {};
+        const double dp = settings_->spacing, distance = face_distance(*settings_);
+        for (const double way : {0.5, 0.25, 0.1}) {
+            if (!solids_->are_near(x, distance + way * dp)) {
+                free_way = way * dp;
+                return;
+            }
+        }
+        free_way = 0;
+        const Vec3 held = put_off_faces(*solids_, *settings_, x);
+        const double back = norm(held - x);
+        off_[place] = back > 0 ? (held - x) / back : Vec3{};
+        step += held - x;
+        x = held;
+    }
+    /// The slope along which a place can move: without what presses it on the face that held it last.
+    Vec3 along_faces(std::size_t place, const Vec3& slope) const {
+        return slope - std::max(0.0, dot(slope, off_[place])) * off_[place];
+    }
+
+ private:
+    const FillSolids* solids_;
+    const fluid::ParticleSettings* settings_;
+    std::vector<double> free_way_;  ///< that each place may go before faces are looked for again [m]
+    std::vector<Vec3> off_;         ///< unit, off the faces that hold a place; 0: none does [-]
+};
+
 /// Moves places of a crowd until they are even.
-void settle(const fluid::ParticleSettings& settings, Crowd& crowd, Packed& packed) {
+void settle(const fluid::ParticleSettings& settings, const FillSolids& solids, Crowd& crowd, Packed& packed) {
     const double dp = settings.spacing;
     const double ratio = settings.support_radius() / dp;
     const fluid::MpsLattice lattice =
@@ -111,13 +164,15 @@ void settle(const fluid::ParticleSettings& settings, Crowd& crowd, Packed& packe
     const double per_slope = pull / (0.5 * lattice.wave_stiffness);  // which is that of pairs that count twice
     const auto count = static_cast<std::int64_t>(crowd.moving.size());
     std::vector<Vec3> move(crowd.moving.size());
+    FaceGuard guard(solids, settings, crowd.moving.size());
     double left = std::numeric_limits<double>::infinity();  // sum of what is uneven when progress was looked at last
     for (packed.sweeps = 0; packed.sweeps < sweeps; ++packed.sweeps) {
         const std::vector<Vec3>& slope = crowd.slopes();
         const Uneven uneven = parallel::reduce(
             count, Uneven{},
             [&](std::int64_t m) {
-                return Uneven{dp * norm(slope[at(m)]), dp * norm(slope[at(m)])};
+                const double left_over = dp * norm(guard.along_faces(at(m), slope[at(m)]));
+                return Uneven{left_over, left_over};
             },
             [](const Uneven& a, const Uneven& b) {
                 return Uneven{a.sum + b.sum, std::max(a.most, b.most)};
@@ -134,6 +189,7 @@ void settle(const fluid::ParticleSettings& settings, Crowd& crowd, Packed& packe
             const double length = norm(step);
             step *= length > longest * dp ? longest * dp / length : 1;
             crowd.moving[at(m)] += step;
+            guard.hold(at(m), step, crowd.moving[at(m)]);
         });
     }
 }
@@ -149,14 +205,27 @@ bool is_in(const FillRegion& region, const fluid::Domain& domain, const Vec3& x)
                                    });
 }
 
+/// The last place of the way from the start to x that lies in the region of the start, no nearer to faces than both;
+/// x where the start lay in none. Back at their starts particles would meet others that were packed there.
+Vec3 kept_in(const FillRegion& region, const FillSolids& solids, const fluid::ParticleSettings& settings,
+             const Vec3& start, const Vec3& x) {
+    if (!is_in(region, settings.domain, start) || is_in(region, settings.domain, x)) {
+        return x;
+    }
+    constexpr int halvings = 30;
+    double inside = 0, outside = 1;
+    for (int n = 0; n < halvings; ++n) {
+        const double half = 0.5 * (inside + outside);
+        (is_in(region, settings.domain, start + half * (x - start)) ? inside : outside) = half;
+    }
+    const Vec3 last = start + inside * (x - start);
+    return solids.are_near(last, face_distance(settings)) ? start : last;
+}
+
 /// Where a particle may stand that was packed at x: as far from faces as at the start, and on its side of them.
 Vec3 clear_of_faces(const FillSolids& solids, const fluid::ParticleSettings& settings, const Vec3& start, Vec3 x) {
-    const double distance = face_distance(settings);
-    for (int n = 0; n < faces_at_once && solids.are_near(x, distance); ++n) {
-        x = solids.push_out(x, (1 + lattice_slack) * distance);
-        x.z = settings.domain.dimension == 2 ? start.z : x.z;
-    }
-    return solids.are_near(x, distance) || solids.lie_between(start, x) ? start : x;
+    x = put_off_faces(solids, settings, x);
+    return solids.are_near(x, face_distance(settings)) || solids.lie_between(start, x) ? start : x;
 }
 
 }  // namespace
@@ -204,9 +273,9 @@ Packed pack(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const
             crowd.rest_share.push_back(samples.volume[s] / volume);
         }
     }
-    settle(settings, crowd, packed);
-
     const FillSolids solids(shapes, bodies, initial, settings.domain, settings.spacing);
+    settle(settings, solids, crowd, packed);
+
     const fluid::PeriodicImages images(settings.domain);
     const Vec3 middle = 0.5 * (settings.domain.low + settings.domain.high);
     parallel::for_each_uneven(static_cast<std::int64_t>(moving.size()), 64, [&](std::int64_t m) {
@@ -217,8 +286,7 @@ Packed pack(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const
         Vec3& x = position[i];
         const FillRegion& region = regions[static_cast<std::size_t>(filling.region[i])];
         const Vec3 packed_at = clear_of_faces(solids, settings, x, images.nearest(crowd.moving[at(m)], x));
-        const bool left = is_in(region, settings.domain, x) && !is_in(region, settings.domain, packed_at);
-        x = left ? x : images.nearest(packed_at, middle);
+        x = images.nearest(kept_in(region, solids, settings, x, packed_at), middle);
         crowd.moving[at(m)] = x;
     });
     const double full = crowd.lattice_count();

@@ -30,12 +30,12 @@ struct Packed {
 ///     d_i <- m d_i - s sum_j V grad W_ij,   |d_i| <= dp/10,   x_i += d_i,
 ///
 /// with m = 0.85, W Wendland's kernel over the support of the scheme and s = 3 times the move that ends the stiffest
-/// wave of the lattice at once, until |sum V grad W| dp is below 1e-4 everywhere or its mean falls by less than 15 % in
-/// 20 sweeps. Where the sum is zero an even pressure holds its particles at rest, in every scheme. Boundary particles
-/// count with their volumes and stay. So does the air beside the water (Filling::air), but for what is near both water
-/// and such a face, which moves like water: the surface stays where it is. What comes nearer to a face than `fill`
-/// allows is put back to that distance, and what went through a wall or out of its region to where it began: openings
-/// are at the edges of regions.
+/// wave of the lattice at once, until |sum V grad W| dp along faces is below 1e-4
+/// everywhere or its mean falls by less than 15 % in 20 sweeps. Where the sum is zero an even pressure holds its
+/// particles at rest, in every scheme. Boundary particles count with their volumes and stay. So does the air beside the
+/// water (Filling::air), but for what is near both water and such a face, which moves like water: the surface stays
+/// where it is. What comes nearer to a face than `fill` allows is put back to that distance in each sweep, and what is
+/// out of its region in the end to the side where it left: openings are at the edges of regions.
 ///
 /// Differs from the source: the lattice stays where it fits, and moves keep a share of the last one in place of a drag.
 Packed pack(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,

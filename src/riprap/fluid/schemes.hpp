@@ -4,10 +4,8 @@
 #include <memory>
 #include <variant>
 
-#include "riprap/fluid/mps/mps_step.hpp"
+#include "riprap/fluid/particle/particle_scheme.hpp"
 #include "riprap/fluid/scheme_settings.hpp"
-#include "riprap/fluid/sph/sph_step.hpp"
-#include "riprap/fluid/wcmps/wcmps_step.hpp"
 
 namespace riprap::fluid {
 

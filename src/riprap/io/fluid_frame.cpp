@@ -50,7 +50,7 @@ void write_fluid(const std::filesystem::path& path, const fluid::ParticleSetting
     file.commit(Durability::later);
 }
 
-void write_grid_water(const std::filesystem::path& path, const fluid::grid::ShownWater& water, double time) {
+void write_field(const std::filesystem::path& path, const fluid::ShownWater& water, double time) {
     AtomicFile file(path);
     const TextSink put = [&file](std::string_view piece) { file.write(piece); };
     put_point_cloud(put, water.place, vtk_field_array("spacing", std::array{water.spacing}), time, [&] {
@@ -69,7 +69,7 @@ void write_grid_water(const std::filesystem::path& path, const fluid::grid::Show
     file.commit(Durability::later);
 }
 
-PolyData draw_surface(const fluid::grid::ShownWater& water) {
+PolyData draw_surface(const fluid::ShownWater& water) {
     PolyData data;
     data.points = water.corner;
     for (std::size_t i = 0; i < water.corner.size(); ++i) {

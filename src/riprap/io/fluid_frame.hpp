@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "riprap/fluid/grid/shown_water.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/shown_water.hpp"
 #include "riprap/io/base64.hpp"
 #include "riprap/io/vtp.hpp"
 
@@ -21,10 +21,10 @@ void put_fluid(const TextSink& put, const fluid::ParticleSettings& settings, con
 void write_fluid(const std::filesystem::path& path, const fluid::ParticleSettings& settings,
                  const fluid::ParticleState& particles, double time);
 
-/// Writes the water of a grid as such a frame: a point for every wet cell. @throws FileError
-void write_grid_water(const std::filesystem::path& path, const fluid::grid::ShownWater& water, double time);
+/// Writes the water of a field as such a frame: a point for every wet cell. @throws FileError
+void write_field(const std::filesystem::path& path, const fluid::ShownWater& water, double time);
 
 /// Polygons of its surface.
-PolyData draw_surface(const fluid::grid::ShownWater& water);
+PolyData draw_surface(const fluid::ShownWater& water);
 
 }  // namespace riprap::io

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "riprap/coupling/grid_fluid/grid_parts.hpp"
 #include "riprap/io/output/output_kinds.hpp"
 #include "riprap/run/end_causes.hpp"
 #include "riprap/run/expects.hpp"
@@ -101,18 +100,6 @@ void predict_contacts(const scene::LoadedCase& loaded, CaseCheck& check) {
 
 }  // namespace
 
-std::vector<std::string> sides_of(const sim::Model& model) {
-    return std::visit(
-        [](const auto& settings) {
-            if constexpr (requires { absorbed_ranges(settings); }) {
-                return absorbed_ranges(settings);
-            } else {
-                return std::vector<std::string>{};
-            }
-        },
-        model.fluid);
-}
-
 CaseCheck check_case(const scene::LoadedCase& loaded) {
     const sim::Model& model = loaded.model;
     const ExpectWatch watch(model);
@@ -135,7 +122,7 @@ CaseCheck check_case(const scene::LoadedCase& loaded) {
     check.warnings = loaded.warnings;
     check.notes = loaded.notes;
     check.waves = loaded.waves;
-    check.sides = sides_of(model);
+    check.sides = sim::absorbed_ranges(model);
     for (const Spread& spread : spreads_of(loaded)) {
         check.spreads.push_back(text_of(spread));
     }

@@ -93,9 +93,6 @@ inline constexpr double early_tipping = 0.25, leans = 0.5;
 /// Share of the speed of an impact that comes back below which `check` warns [-].
 inline constexpr double least_back = 0.95;
 
-/// Sides of the domain that absorb waves, with the range in which they do.
-std::vector<std::string> sides_of(const sim::Model& model);
-
 /// @throws CaseError with every problem of the case
 CaseCheck check_case(const scene::LoadedCase& loaded);
 

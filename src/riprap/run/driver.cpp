@@ -16,6 +16,7 @@
 #include "riprap/run/check_case.hpp"
 #include "riprap/run/signals.hpp"
 #include "riprap/run/state_hash.hpp"
+#include "riprap/sim/method_traits.hpp"
 
 namespace riprap::run {
 
@@ -142,7 +143,7 @@ void Driver::announce(const std::string& beginning) {
     }
     const sim::TimeStepBound limit = simulation_.step_bound();
     std::string sides;
-    for (const std::string& side : sides_of(model())) {
+    for (const std::string& side : sim::absorbed_ranges(model())) {
         sides += fmt::format("  {}\n", side);
     }
     say(

@@ -13,6 +13,7 @@
 #include "riprap/run/deep_pairs.hpp"
 #include "riprap/run/ledger_advice.hpp"
 #include "riprap/run/remedy_text.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/settings.hpp"
 #include "riprap/solid/travel_bound.hpp"
 
@@ -33,15 +34,8 @@ std::string carry_within_max_potential(const Refused& refused) {
 }
 
 std::string carry_within_max_overlap(const Refused& refused) {
-    const double share = std::visit(
-        [](const auto& settings) {
-            if constexpr (requires { settings.laws.max_overlap; }) {
-                return settings.laws.max_overlap;
-            }
-            return solid::most_overlap;
-        },
-        refused.model.solid);
-    return stiffness_advice(refused, share);
+    const auto* const spheres = std::get_if<solid::SphereDemSettings>(&refused.model.solid);
+    return stiffness_advice(refused, spheres != nullptr ? spheres->laws.max_overlap : solid::most_overlap);
 }
 
 /// Returns the stiffness that holds a body at the mouth of a gap: what it lets through is hardly deep in its sides.
@@ -77,16 +71,7 @@ std::string speed_or_step(const Refused& refused) {
             fastest = std::max(fastest, std::sqrt(norm_squared(refused.before.bodies.velocity[at(b)]) + turning));
         }
     }
-    const double allowed = std::visit(
-        [](const auto& settings) {
-            if constexpr (requires { settings.max_speed; }) {
-                return settings.max_speed;
-            } else if constexpr (requires { settings.laws.max_speed; }) {
-                return settings.laws.max_speed;
-            }
-            return 0.0;
-        },
-        model.solid);
+    const double allowed = sim::max_speed(model);
     if (const double pull = norm(model.gravity.at(refused.before.time)); pull * refused.report.dt > allowed) {
         return fmt::format("{} m/s^2 or less keeps what falls for the whole run within solid.max_speed",
                            assignment_below("gravity", allowed / model.time.end));
@@ -104,35 +89,22 @@ std::string speed_or_step(const Refused& refused) {
 
 std::string more_rounds_or_a_shorter_step(const Refused& refused) {
     constexpr int usual = 6, many = 24;
-    const int rounds = std::visit(
-        [](const auto& settings) -> int {
-            if constexpr (requires { settings.engine.open_close; }) {
-                return settings.engine.open_close;
-            } else if constexpr (requires { settings.engine.max_iterations; }) {
-                return settings.engine.max_iterations;
-            }
-            return many;
-        },
-        refused.model.solid);
-    return rounds < many ? fmt::format("solid.open_close = {}", std::max(usual, 2 * rounds)) : shorter_step(refused);
+    const int rounds = sim::open_close(refused.model);
+    return rounds > 0 && rounds < many ? fmt::format("solid.open_close = {}", std::max(usual, 2 * rounds))
+                                       : shorter_step(refused);
 }
 
 /// Energy goes with the square of the strain: a modulus with which the block takes up what it has taken up at a quarter
 /// of the logarithmic strain that it has.
 std::string stiffer_blocks(const Refused& refused) {
     constexpr double bearable = 0.25;
-    return std::visit(
-        [](const auto& settings) -> std::string {
-            if constexpr (requires {
-                              settings.elasticity.youngs_modulus;
-                              settings.engine.max_stretch;
-                          }) {
-                const double factor = std::pow(std::log(settings.engine.max_stretch) / bearable, 2);
-                return assignment("solid.youngs_modulus", factor * settings.elasticity.youngs_modulus);
-            }
-            return "";
-        },
-        refused.model.solid);
+    const auto* const elasticity = sim::elasticity_of(refused.model.solid);
+    const double stretch = sim::max_stretch(refused.model);
+    if (elasticity == nullptr || !(stretch > 0)) {
+        return "";
+    }
+    const double factor = std::pow(std::log(stretch) / bearable, 2);
+    return assignment("solid.youngs_modulus", factor * elasticity->youngs_modulus);
 }
 
 // Of water.
@@ -167,20 +139,15 @@ std::string higher_domain(const Refused& refused) {
 }
 
 std::string more_of_the_solver(const Refused& refused) {
+    constexpr int usual = 1000;
     const coupling::ParticleFluid* const water = refused.model.particles();
-    return water == nullptr ? ""
-                            : std::visit(
-                                  [&](const auto& own) -> std::string {
-                                      if constexpr (requires { own.max_iterations; }) {
-                                          constexpr int usual = 1000;
-                                          return refused.why.text.find("iterations allowed") != std::string::npos
-                                                     ? fmt::format("fluid.max_iterations = {}",
-                                                                   std::max(usual, 4 * own.max_iterations))
-                                                     : assignment("fluid.tolerance", 10 * own.tolerance);
-                                      }
-                                      return "";
-                                  },
-                                  water->scheme);
+    const auto* const mps = water != nullptr ? std::get_if<fluid::MpsSettings>(&water->scheme) : nullptr;
+    if (mps == nullptr) {
+        return "";
+    }
+    return refused.why.text.find("iterations allowed") != std::string::npos
+               ? fmt::format("fluid.max_iterations = {}", std::max(usual, 4 * mps->max_iterations))
+               : assignment("fluid.tolerance", 10 * mps->tolerance);
 }
 
 std::string automatic_step(const Refused& /*refused*/) { return assignment("time_step", "auto"); }

@@ -9,6 +9,7 @@
 
 #include "riprap/run/contact_need.hpp"
 #include "riprap/run/remedy_text.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/settings.hpp"
 
 namespace riprap::run {
@@ -23,7 +24,7 @@ constexpr double deep = 0.3, shallow = 0.1;
 
 bool is_above_bound(const Refused& refused) {
     return refused.model.time.force_time_step ||
-           refused.report.dt > std::min(refused.report.dt_bound, refused.report.water_dt_bound);
+           refused.report.dt > std::min(refused.report.dt_bound, refused.report.fluid_dt_bound);
 }
 
 std::string automatic_step(const sim::Model& model) {
@@ -39,22 +40,8 @@ bool is_compressed(const Refused& refused) {
                        [limit = most * water->settings().rest_density](double density) { return density > limit; });
 }
 
-double courant_of(const sim::Model& model) {
-    if (const coupling::ParticleFluid* const water = model.particles(); water != nullptr) {
-        return water->settings().courant;
-    }
-    return std::visit(
-        [](const auto& settings) {
-            if constexpr (requires { settings.courant; }) {
-                return settings.courant;
-            }
-            return 0.0;
-        },
-        model.fluid);
-}
-
 std::string shorter_water_step(const Refused& refused) {
-    const double courant = courant_of(refused.model);
+    const double courant = sim::courant(refused.model);
     return !refused.model.time.is_automatic() ? automatic_step(refused.model)
            : courant > 0                      ? assignment_below("fluid.courant", 0.5 * courant)
                                               : shorter_step(refused);
@@ -78,19 +65,13 @@ double largest_strain(const Refused& refused) {
 std::string stiffer_blocks(const Refused& refused) {
     constexpr double far = 0.05, near = 0.02;
     const double strain = largest_strain(refused);
-    return std::visit(
-        [&](const auto& settings) -> std::string {
-            if constexpr (requires { settings.elasticity.youngs_modulus; }) {
-                return strain > far
-                           ? fmt::format("{}: a block is strained by {:.2g}, where the method takes small strains",
-                                         assignment("solid.youngs_modulus",
-                                                    std::pow(strain / near, 2) * settings.elasticity.youngs_modulus),
-                                         strain)
-                           : "";
-            }
-            return "";
-        },
-        refused.model.solid);
+    const auto* const elasticity = sim::elasticity_of(refused.model.solid);
+    if (elasticity == nullptr || !(strain > far)) {
+        return "";
+    }
+    return fmt::format("{}: a block is strained by {:.2g}, where the method takes small strains",
+                       assignment("solid.youngs_modulus", std::pow(strain / near, 2) * elasticity->youngs_modulus),
+                       strain);
 }
 
 }  // namespace
@@ -100,7 +81,7 @@ double fastest_water(const Refused& refused) {
     for (const Vec3& v : refused.before.fluid.velocity) {
         fastest = std::max(fastest, norm(v));
     }
-    return std::isfinite(refused.report.max_water_speed) ? std::max(fastest, refused.report.max_water_speed) : fastest;
+    return std::isfinite(refused.report.max_fluid_speed) ? std::max(fastest, refused.report.max_fluid_speed) : fastest;
 }
 
 std::string faster_sound(const Refused& refused) {
@@ -122,14 +103,9 @@ std::string shorter_step(const Refused& refused) {
         return is_above_bound(refused) ? automatic_step(model)
                                        : assignment_below("time_step", shorter * model.time.time_step);
     }
-    return std::visit(
-        [&](const auto& settings) {
-            if constexpr (requires { settings.step; }) {
-                return assignment_below("solid.step", shorter * settings.step);
-            }
-            return assignment_below("time_step_factor", shorter * model.time.factor);
-        },
-        model.solid);
+    const double* const step = sim::step_of(model.solid);
+    return step != nullptr ? assignment_below("solid.step", shorter * *step)
+                           : assignment_below("time_step_factor", shorter * model.time.factor);
 }
 
 std::string made_advice(const Refused& refused) {

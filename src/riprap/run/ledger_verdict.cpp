@@ -81,15 +81,7 @@ double grain_of(const sim::Ledger& ledger, const sim::Model& model) {
 /// Energy that lifts all water by the smallest cell of a grid, 0 without one: how its surface lies in the cells is
 /// known to a share of them. Says nothing of bodies, whose residual it does not excuse [J].
 double cell_grain_of(const sim::Ledger& ledger, const sim::Model& model) {
-    const double width = std::visit(
-        [](const auto& settings) {
-            if constexpr (requires { settings.grid.mesh.smallest_width(); }) {
-                return settings.grid.mesh.smallest_width();
-            }
-            return 0.0;
-        },
-        model.fluid);
-    return ledger.fluid.mass * norm(model.gravity.value) * width;
+    return ledger.fluid.mass * norm(model.gravity.value) * sim::cell_width(model);
 }
 
 /// Energy of one particle of water at the speed of the fastest body that is driven: a paddle has done hardly any work

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <variant>
 
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
+#include "riprap/sim/method_traits.hpp"
 
 namespace riprap::run {
 
@@ -44,26 +44,14 @@ void scale(const Value& table, const std::string& path, std::string_view key, do
 
 /// Returns the step that an implicit method wants; 0 for others [s].
 double wanted_step(const sim::SolidSettings& settings) {
-    return std::visit(
-        [](const auto& own) {
-            if constexpr (requires { own.step; }) {
-                return own.step;
-            }
-            return 0.0;
-        },
-        settings);
+    const double* const step = sim::step_of(settings);
+    return step != nullptr ? *step : 0;
 }
 
 /// Returns the stiffness of a contact point; 0 for methods without one, and where it is one of an area [N/m].
 double point_stiffness(const sim::SolidSettings& settings) {
-    return std::visit(
-        [](const auto& own) {
-            if constexpr (requires { own.elasticity.stiffness_per_area; }) {
-                return own.elasticity.stiffness_per_area ? 0.0 : own.elasticity.contact_stiffness;
-            }
-            return 0.0;
-        },
-        settings);
+    const auto* const elasticity = sim::elasticity_of(settings);
+    return elasticity != nullptr && !elasticity->stiffness_per_area ? elasticity->contact_stiffness : 0;
 }
 
 std::vector<std::string> scaled_step(const Value& root, const std::string& solid, double factor,

@@ -13,6 +13,7 @@
 #include "riprap/run/tipping_bias.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
 #include "riprap/scene/warnings/straight_push.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/settings.hpp"
 #include "riprap/solid/sphere_dem/sample_bodies.hpp"
 
@@ -87,24 +88,16 @@ class Springs {
     }
 
     Spring of(const Touch& touch) const {
-        return std::visit(
-            [&](const auto& settings) -> Spring {
-                if constexpr (requires { settings.elasticity.stiffness_per_area; }) {
-                    // A corner of a prism in the plane stands for its edge, two corners in space.
-                    constexpr bool is_of_plane = requires { settings.plane; };
-                    const double springs = static_cast<double>(touch.corners) * (is_of_plane ? 0.5 : 1) *
-                                           settings.elasticity.contact_stiffness;
-                    return {settings.elasticity.stiffness_per_area
-                                ? touch.area * *settings.elasticity.stiffness_per_area
-                                : springs,
-                            0, false};
-                } else if constexpr (requires { settings.spring_stiffness; }) {
-                    return of_spheres(touch, settings);
-                } else {
-                    return {spring_of_faces(model_, touch), 0, true};
-                }
-            },
-            model_.solid);
+        if (const auto* elasticity = sim::elasticity_of(model_.solid)) {
+            // A corner of a prism in the plane stands for its edge, two corners in space.
+            const double springs = static_cast<double>(touch.corners) * (sim::is_of_plane(model_) ? 0.5 : 1) *
+                                   elasticity->contact_stiffness;
+            return {elasticity->stiffness_per_area ? touch.area * *elasticity->stiffness_per_area : springs, 0, false};
+        }
+        if (const auto* spheres = std::get_if<solid::SphereDemSettings>(&model_.solid)) {
+            return of_spheres(touch, *spheres);
+        }
+        return {spring_of_faces(model_, touch), 0, true};
     }
 
  private:
@@ -316,14 +309,8 @@ std::optional<PredictedOverlap> largest_overlap(const sim::Model& model, const s
 }
 
 std::optional<ImpactStep> shortest_impact(const sim::Model& model, const sim::State& state) {
-    const double step = std::visit(
-        [&](const auto& settings) {
-            if constexpr (requires { settings.step; }) {
-                return model.time.is_automatic() ? settings.step : model.time.time_step;
-            }
-            return 0.0;
-        },
-        model.solid);
+    const double* const wanted = sim::step_of(model.solid);
+    const double step = wanted == nullptr ? 0 : model.time.is_automatic() ? *wanted : model.time.time_step;
     std::optional<ImpactStep> least;
     if (step > 0) {
         const Springs springs(model, state);

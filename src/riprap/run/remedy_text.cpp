@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/settings.hpp"
 
 namespace riprap::run {
@@ -51,23 +52,17 @@ std::string of_materials(const sim::Model& model, BodyId a, BodyId b, double fac
 }  // namespace
 
 std::string stiffness_text(const sim::Model& model, BodyId a, BodyId b, bool is_of_faces, double factor) {
-    return std::visit(
-        [&](const auto& settings) -> std::string {
-            if constexpr (requires { settings.elasticity.stiffness_per_area; }) {
-                return settings.elasticity.stiffness_per_area
-                           ? assignment("solid.contact_stiffness_per_area",
-                                        factor * *settings.elasticity.stiffness_per_area)
-                           : assignment("solid.contact_stiffness", factor * settings.elasticity.contact_stiffness);
-            } else if constexpr (requires { settings.spring_stiffness; }) {
-                if (!is_of_faces) {
-                    return settings.laws.normal == contact::NormalLaw::hertz
-                               ? assignment("solid.youngs_modulus", factor * settings.youngs_modulus)
-                               : assignment("solid.spring_stiffness", factor * settings.spring_stiffness);
-                }
-            }
-            return of_materials(model, a, b, factor);
-        },
-        model.solid);
+    if (const auto* elasticity = sim::elasticity_of(model.solid)) {
+        return elasticity->stiffness_per_area
+                   ? assignment("solid.contact_stiffness_per_area", factor * *elasticity->stiffness_per_area)
+                   : assignment("solid.contact_stiffness", factor * elasticity->contact_stiffness);
+    }
+    if (const auto* spheres = std::get_if<solid::SphereDemSettings>(&model.solid); spheres != nullptr && !is_of_faces) {
+        return spheres->laws.normal == contact::NormalLaw::hertz
+                   ? assignment("solid.youngs_modulus", factor * spheres->youngs_modulus)
+                   : assignment("solid.spring_stiffness", factor * spheres->spring_stiffness);
+    }
+    return of_materials(model, a, b, factor);
 }
 
 }  // namespace riprap::run

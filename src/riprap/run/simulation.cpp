@@ -78,8 +78,8 @@ StepOutcome Simulation::step(sim::Measure measure, Use use) {
     }
     sim::StepStatus problem{is_judged ? judge_step(report) : "", {}};
     if (problem.ok()) {
-        problem =
-            passed_walls(model(), state_, counts_.through_walls + report.through_walls.count, report.through_walls);
+        problem = passed_walls(model(), state_, counts_.through_walls + report.particles.through_walls.count,
+                               report.particles.through_walls);
     }
     if (!problem.ok()) {  // the fault may have begun at any step since the last one judged
         watch_.load(good_.last().expects);

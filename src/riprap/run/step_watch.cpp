@@ -11,17 +11,17 @@ namespace riprap::run {
 
 namespace {
 
-double bound_of(const sim::StepReport& report) { return std::min(report.dt_bound, report.water_dt_bound); }
+double bound_of(const sim::StepReport& report) { return std::min(report.dt_bound, report.fluid_dt_bound); }
 
 }  // namespace
 
 void StepCounts::add(const sim::StepReport& report, bool meets_end) {
     above_bound += report.dt > bound_of(report) ? 1 : 0;
-    unsettled += report.is_water_settled ? 0 : 1;
+    unsettled += report.is_fluid_settled ? 0 : 1;
     with_open_friction += report.open_frictions > 0 ? 1 : 0;
     open_frictions += report.open_frictions;
-    with_intruder += report.intruder.empty() ? 0 : 1;
-    through_walls += report.through_walls.count;
+    with_intruder += report.particles.intruder.empty() ? 0 : 1;
+    through_walls += report.particles.through_walls.count;
     solver_iterations += report.solver_iterations;
     most_iterations = std::max(most_iterations, report.solver_iterations);
     worst_residual = std::max(worst_residual, report.solver_residual);
@@ -35,12 +35,12 @@ std::vector<Notice> StepWatch::look(const sim::StepReport& report, const sim::St
     const std::string when = fmt::format("step {}, t = {:.6g} s", state.step, state.time);
     std::vector<Notice> notices;
     look_at_length(report, when, notices);
-    if (!report.is_water_settled && counts.unsettled == 1) {
+    if (!report.is_fluid_settled && counts.unsettled == 1) {
         notices.push_back(
             {fmt::format("{}: the accelerations of light bodies in water have not settled after {} passes, {:.2g} "
                          "of them is still open; the summary counts the steps",
-                         when, report.water_passes, report.water_residual),
-             "water_residual", report.water_residual});
+                         when, report.fluid_passes, report.fluid_residual),
+             "water_residual", report.fluid_residual});
     }
     if (report.open_frictions > 0 && counts.with_open_friction == 1) {
         notices.push_back(
@@ -49,17 +49,17 @@ std::vector<Notice> StepWatch::look(const sim::StepReport& report, const sim::St
                          when, report.open_frictions),
              "open_frictions", static_cast<double>(report.open_frictions)});
     }
-    if (!report.intruder.empty() && counts.with_intruder == 1) {
-        notices.push_back(
-            {fmt::format("{}: {}: neither is right there; the summary counts the steps", when, report.intruder), "time",
-             state.time});
+    if (!report.particles.intruder.empty() && counts.with_intruder == 1) {
+        notices.push_back({fmt::format("{}: {}: neither is right there; the summary counts the steps", when,
+                                       report.particles.intruder),
+                           "time", state.time});
     }
-    if (report.through_walls.count > 0 && counts.through_walls == report.through_walls.count) {
+    if (report.particles.through_walls.count > 0 && counts.through_walls == report.particles.through_walls.count) {
         notices.push_back(
             {fmt::format("{}: water has gone through a wall that it is pressed against; the summary counts "
                          "the particles, and more than {:g} % of all end the run",
                          when, 100 * share_through_walls),
-             "water_through_walls", static_cast<double>(report.through_walls.count)});
+             "water_through_walls", static_cast<double>(report.particles.through_walls.count)});
     }
     return notices;
 }
@@ -70,7 +70,7 @@ void StepWatch::look_at_length(const sim::StepReport& report, const std::string&
         return;
     }
     told_excess_ = excess;
-    const bool is_water = report.water_dt_bound <= report.dt_bound;
+    const bool is_water = report.fluid_dt_bound <= report.dt_bound;
     notices.push_back({fmt::format("{}: the time step {:.4g} s is {:.3g} times what {} now ({:.4g} s, a bound that "
                                    "errs on the safe side); a smaller {} is safer",
                                    when, report.dt, excess, is_water ? "the water allows" : "the contacts allow", bound,

@@ -93,7 +93,7 @@ std::string summary_json(const Summary& summary) {
                       {"find_contacts", summary.stages.find_contacts},
                       {"contact_loads", summary.stages.contact_loads},
                       {"move_bodies", summary.stages.move_bodies},
-                      {"water", summary.stages.water},
+                      {"water", summary.stages.fluid},
                       {"measure", summary.stages.measure}}},
                     {"expects", expects},
                     {"build", Json::parse(build_json())},

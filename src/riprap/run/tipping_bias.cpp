@@ -183,10 +183,10 @@ double largest_lean(const sim::Model& model, const Vec3& up) {
     const body::Gravity& gravity = model.gravity;
     constexpr int looks = 256;  // at gravity that turns
     double least = 1;
-    for (int k = 0; k <= (gravity.rate != 0 ? looks : 0); ++k) {
+    for (int k = 0; k <= (gravity.turns() ? looks : 0); ++k) {
         const double stop = std::min(model.time.end, gravity.stop);
         const double time = gravity.start + std::max(0.0, stop - gravity.start) * k / looks;
-        const Vec3 now = gravity.rate != 0 ? gravity.at(std::max(time, gravity.ramp)) : gravity.value;
+        const Vec3 now = gravity.turns() ? gravity.at(std::max(time, gravity.ramp)) : gravity.value;
         least = std::min(least, -dot(now, up) / norm(now));
     }
     return std::acos(std::clamp(least, -1.0, 1.0));

@@ -22,7 +22,7 @@ constexpr std::array all{
 /// Tells whether a fluid moves: then its step bounds that of the run.
 template <class Fluid>
 constexpr bool moves() {
-    return Fluid::is_there && Fluid::leads;
+    return Fluid::traits.is_there && Fluid::traits.leads;
 }
 
 std::vector<Property> properties_of(std::string_view word) {

@@ -2,17 +2,19 @@
 #include "riprap/sim/advance.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/sim/bound_methods.hpp"
-#include "riprap/sim/cycle.hpp"
 #include "riprap/sim/flow.hpp"
+#include "riprap/sim/fluid_exchange.hpp"
 #include "riprap/sim/ledger_table.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/pieces.hpp"
-#include "riprap/sim/scratch_data.hpp"
+#include "riprap/sim/prediction.hpp"
+#include "riprap/sim/step_context.hpp"
 
 namespace riprap::sim {
 
@@ -28,9 +30,10 @@ void add_compensated(double& sum, double& rest, double term) {
 }
 
 /// Adds the report of one piece of motion to that of the step.
-void join(const solid::SolidReport& piece, const Accounts& accounts, State& state, StepReport& all) {
-    all.ledger = account(piece, accounts, state.ledger);
-    all.dt_bound = std::min(all.dt_bound, piece.dt_bound);
+void join(const solid::SolidReport& piece, StepContext& step) {
+    StepReport& all = step.report;
+    all.ledger = account(piece, step.accounts, step.state.ledger);
+    all.dt_bound = std::min(all.dt_bound, static_cast<double>(step.cycle.pieces) * piece.dt_bound);
     all.max_speed = std::max(all.max_speed, piece.kick.max_speed);
     all.max_potential = std::max(all.max_potential, piece.max_potential);
     all.max_depth = std::max(all.max_depth, piece.max_depth);
@@ -40,45 +43,25 @@ void join(const solid::SolidReport& piece, const Accounts& accounts, State& stat
     all.pairs_rebuilt = all.pairs_rebuilt || piece.pairs_rebuilt;
 }
 
-StepStatus status_of(Outcome outcome) { return {std::move(outcome.problem), std::move(outcome.remedy)}; }
+/// Moves the solids over a piece under the loads of the step.
+Outcome move(StepContext& step, std::int64_t k) {
+    const bool is_last = k + 1 == step.cycle.pieces;
+    const auto take = [&step](const solid::SolidReport& piece) { join(piece, step); };
+    return move_over(step, {step.cycle.piece(k), step.loads, is_last ? step.measure : Measure::flow}, take);
+}
 
-/// One step with these methods.
-StepReport take_step(const Model& model, State& state, ScratchData& data, Solid& solids, Fluid& fluid, double dt,
-                     Measure measure, const body::LoadView& given) {
-    StepReport report;
-    report.dt = dt;
-    report.dt_bound = std::numeric_limits<double>::infinity();
-    const StepLimit of_solids = solids.limit();
-    StepLimit of_fluid;
-    if (fluid.leads() && (of_solids.is_wanted || !model.time.is_automatic())) {
-        of_fluid = fluid.limit();
+/// One step: the fluid goes first, to the loads that it puts on bodies where they will be; the bodies follow under
+/// those loads, in pieces; then the fluid ends its step, and what both sides exchanged is booked.
+Outcome take_step(StepContext& step) {
+    Outcome outcome = begin_flow(step);
+    for (std::int64_t k = 0; k < step.cycle.spans && outcome.ok(); ++k) {
+        predict(step, step.cycle.span(k));
+        outcome = flow(step, k);
     }
-    const Accounts accounts = accounts_of(model);
-    const Cycle cycle = make_cycle(model, state, of_solids, of_fluid, fluid.leads(), dt);
-    body::LoadView loads = given;
-    std::vector<FluidSpan> spans;
-    if (fluid.is_there()) {
-        report.water_dt_bound = model.time.is_automatic() ? report.water_dt_bound : of_fluid.longest;
-        report.status.text = fixed_step_problem(model, state, of_fluid);
-        if (report.status.ok()) {
-            report.status = status_of(flow_over(model, state, fluid, solids, cycle, data, spans, report));
-        }
-        data.before = state.bodies;
-        loads = data.loads;
+    for (std::int64_t k = 0; k < step.cycle.pieces && outcome.ok(); ++k) {
+        outcome = move(step, k);
     }
-    for (std::int64_t k = 0; k < cycle.pieces && report.status.ok(); ++k) {
-        const Measure of_piece = k + 1 == cycle.pieces ? measure : Measure::flow;
-        const auto take = [&](const solid::SolidReport& piece) { join(piece, accounts, state, report); };
-        report.status = status_of(move_over(solids, state, cycle.piece(k), loads, of_piece, take));
-    }
-    if (fluid.is_there()) {
-        if (report.status.ok()) {
-            report.status = status_of(end_flow(model, state, fluid, cycle, data, spans, report));
-        }
-    }
-    report.dt_bound *= static_cast<double>(cycle.pieces);
-    report.substeps = cycle.pieces;
-    return report;
+    return outcome.ok() ? book(step) : outcome;
 }
 
 }  // namespace
@@ -91,7 +74,7 @@ Scratch& Scratch::operator=(Scratch&&) noexcept = default;
 const body::Loads& Scratch::contact_loads() const { return sim::contact_loads(*data_); }
 const std::vector<Vec3>& Scratch::contact_force() const { return contact_loads().force; }
 const std::vector<Vec3>& Scratch::contact_torque() const { return contact_loads().torque; }
-const coupling::FluidLoads& Scratch::water_loads() const { return data_->fluid_loads; }
+const coupling::FluidLoads& Scratch::fluid_loads() const { return data_->fluid_loads; }
 
 void Scratch::forget() {
     const StageTimes times = stage_times(*this);
@@ -113,21 +96,23 @@ StageTimes stage_times(const Scratch& scratch) {
 StepReport advance(const Model& model, State& state, Scratch& scratch, double dt, Measure measure,
                    const body::LoadView& loads) {
     RIPRAP_ASSERT(!model.has_fluid() || loads.empty(), "a fluid brings its own loads");
-    const BoundMethods bound = bind_methods(model, state, scratch.data());
-    StepReport report = take_step(model, state, scratch.data(), *bound.solid, *bound.fluid, dt, measure, loads);
+    BoundMethods bound(model, state, scratch.data());
+    StepContext step = begin_step(model, state, scratch.data(), bound, dt, measure, loads);
+    Outcome outcome = take_step(step);
+    step.report.status = {std::move(outcome.problem), std::move(outcome.remedy)};
     add_compensated(state.time, state.time_rest, dt);
     state.step += 1;
-    if (report.status.ok()) {
+    if (step.report.status.ok()) {
         accept_step(state.stepping);
     }
-    return report;
+    return std::move(step.report);
 }
 
 void initialise(const Model& model, State& state) {
     reset(accounts_of(model), state.ledger);
     reset(model, state.coupling);
     ScratchData unused;
-    bind_methods(model, state, unused).fluid->start();  // makes the fields of the methods
+    BoundMethods(model, state, unused).fluid().start();  // makes the fields of the methods
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         if (model.bodies.drive[at(i)] != body::Drive::driven) {
             continue;
@@ -157,14 +142,7 @@ std::size_t memory_bytes(const Model& model, const State& state, const Scratch& 
         bytes_of(bodies.name_id, bodies.name_index, bodies.material, bodies.drive, bodies.mass) +
         bytes_of(bodies.principal_moments, bodies.principal_axes, bodies.driven, bodies.locks, bodies.release_time) +
         bytes_of(bodies.part_begin, bodies.parts, bodies.driven_bodies);
-    std::visit(
-        [&bytes](const auto& settings) {
-            if constexpr (requires { settings.bytes(); }) {
-                bytes += settings.bytes();
-            }
-        },
-        model.fluid);
-    bytes += method_bytes(data);
+    bytes += fluid_bytes(model) + method_bytes(data);
     const Prediction& prediction = data.prediction;
     return bytes + data.fluid_loads.bytes() + data.span_loads.bytes() + data.loads.bytes() + prediction.now.bytes() +
            prediction.middle.bytes() +

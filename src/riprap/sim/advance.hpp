@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "riprap/coupling/samples/rigid_map.hpp"
-#include "riprap/coupling/wall_passages.hpp"
+#include "riprap/coupling/fluid_loads.hpp"
+#include "riprap/coupling/fluid_step.hpp"
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -31,9 +31,9 @@ class Scratch {
     const std::vector<Vec3>& contact_force() const;
     const std::vector<Vec3>& contact_torque() const;
     const body::Loads& contact_loads() const;
-    /// Forces of the water on every body in the last step, and its moments about the centre of mass, pressure and
-    /// viscosity apart; empty without water.
-    const coupling::FluidLoads& water_loads() const;
+    /// Forces of the fluid on every body in the last step, and their moments about the centre of mass, pressure and
+    /// viscosity apart; empty without a fluid.
+    const coupling::FluidLoads& fluid_loads() const;
     /// Drops everything but the stage times: for after a step that was refused.
     void forget();
 
@@ -43,7 +43,7 @@ class Scratch {
 
 /// Seconds spent in each stage since the Scratch was made.
 struct StageTimes {
-    double find_pairs{0}, find_contacts{0}, contact_loads{0}, move_bodies{0}, water{0}, measure{0};
+    double find_pairs{0}, find_contacts{0}, contact_loads{0}, move_bodies{0}, fluid{0}, measure{0};
 };
 
 /// Reason why a step could not be accepted; `text` empty = all is well.
@@ -68,16 +68,15 @@ struct StepReport {
     std::int64_t open_frictions{0};  ///< sliding contacts whose friction was still changing as the iteration ended
     std::int64_t pair_count{0};      ///< candidates in the pair cache: Scratch, no quantity of a record
     bool pairs_rebuilt{false};
-    std::int64_t substeps{1};           ///< steps of the solids within this one of the water
-    std::int64_t water_passes{0};       ///< force passes of the water: more than one where light bodies need it
-    double water_residual{0};           ///< of the accelerations of light bodies, over |a| + |g| [-]
+    std::int64_t substeps{1};           ///< steps of the solids within this one of the fluid
+    std::int64_t fluid_passes{0};       ///< force passes of the fluid: more than one where light bodies need it
+    double fluid_residual{0};           ///< of the accelerations of light bodies, over |a| + |g| [-]
     std::int64_t solver_iterations{0};  ///< of the fluid's pressure equation, all passes and spans
     double solver_residual{0};    ///< residual of that equation over its right-hand side, largest of the spans [-]
-    bool is_water_settled{true};  ///< false where water_residual was still too large after the last pass
-    double max_water_speed{0};    ///< [m/s]
-    double water_dt_bound{std::numeric_limits<double>::infinity()};  ///< what the water allows a step that is fixed [s]
-    coupling::WallPassages through_walls;                            ///< particles of water that went through bodies
-    std::string intruder;  ///< a moving body among the layers of an opening, and which; empty = none
+    bool is_fluid_settled{true};  ///< false where fluid_residual was still too large after the last pass
+    double max_fluid_speed{0};    ///< [m/s]
+    double fluid_dt_bound{std::numeric_limits<double>::infinity()};  ///< what the fluid allows a step that is fixed [s]
+    coupling::ParticleFindings particles;                            ///< of fluids of particles alone
 };
 
 using solid::Measure;

@@ -15,18 +15,21 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// "NAME[word]rest" or "NAME[word level]rest" in its parts.
+/// "NAME[word]rest", "NAME[word level]rest" or "NAME[word level width]rest" in its parts.
 struct Bracketed {
     std::string_view name, word, rest;
-    double level{0};
+    std::vector<double> numbers{};
 };
 
-/// The level of "above 0.33"; nothing where the rest is no number.
-std::optional<double> level_in(std::string_view text) {
-    double level = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
-    const bool is_all = error == std::errc{} && end == text.data() + text.size() && std::isfinite(level);
-    return is_all ? std::optional(level) : std::nullopt;
+/// How many numbers follow a word.
+std::size_t numbers_of(std::string_view word) { return word == "front" ? 2 : word == "above" ? 1 : 0; }
+
+/// The number that a text is; nothing where it is none.
+std::optional<double> number_in(std::string_view text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_all = error == std::errc{} && end == text.data() + text.size() && std::isfinite(number);
+    return is_all ? std::optional(number) : std::nullopt;
 }
 
 std::optional<Bracketed> split_brackets(std::string_view text) {
@@ -34,16 +37,33 @@ std::optional<Bracketed> split_brackets(std::string_view text) {
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
         return std::nullopt;
     }
-    Bracketed parts{text.substr(0, open), text.substr(open + 1, close - open - 1), text.substr(close + 1)};
-    const std::size_t blank = parts.word.find(' ');
-    if (blank != std::string_view::npos) {
-        const std::optional<double> level = level_in(parts.word.substr(blank + 1));
-        parts.word = level ? parts.word.substr(0, blank) : std::string_view{};
-        parts.level = level.value_or(0);
+    std::string_view inside = text.substr(open + 1, close - open - 1);
+    Bracketed parts{text.substr(0, open), inside.substr(0, inside.find(' ')), text.substr(close + 1)};
+    for (std::size_t blank = inside.find(' '); blank != std::string_view::npos; blank = inside.find(' ')) {
+        inside = inside.substr(blank + 1);
+        const std::optional<double> number = number_in(inside.substr(0, inside.find(' ')));
+        if (!number) {
+            return std::nullopt;
+        }
+        parts.numbers.push_back(*number);
     }
     const bool is_group = std::find(group_words.begin(), group_words.end(), parts.word) != group_words.end();
-    const bool is_whole = (parts.word == "above") == (blank != std::string_view::npos);
-    return is_group && is_whole ? std::optional(parts) : std::nullopt;
+    const bool has_width = parts.word != "front" || (parts.numbers.size() == 2 && parts.numbers[1] > 0);
+    return is_group && has_width && parts.numbers.size() == numbers_of(parts.word) ? std::optional(parts)
+                                                                                   : std::nullopt;
+}
+
+/// The largest value below which, within `width`, at least `count` of them lie, itself one of them; NaN where there is
+/// none.
+double front_of(std::vector<double> values, double count, double width) {
+    std::sort(values.begin(), values.end());
+    for (auto last = values.end(); last != values.begin(); --last) {
+        const double front = *(last - 1);
+        if (static_cast<double>(last - std::lower_bound(values.begin(), last, front - width)) >= count) {
+            return front;
+        }
+    }
+    return missing;
 }
 
 /// Adds the columns of all bodies of one entry, of one body where it is no list; false where there is no such quantity.
@@ -123,8 +143,10 @@ std::optional<ColumnGroup> find_columns(const Model& model, std::string_view tex
         const std::optional<Column> column = find_column(model, text);
         return column ? std::optional(ColumnGroup{{}, {*column}}) : std::nullopt;
     }
-    ColumnGroup group{*std::find(group_words.begin(), group_words.end(), parts->word), columns_of_bodies(model, *parts),
-                      parts->level};
+    ColumnGroup group{*std::find(group_words.begin(), group_words.end(), parts->word),
+                      columns_of_bodies(model, *parts)};
+    group.level = parts->numbers.empty() ? 0 : parts->numbers.front();
+    group.width = parts->numbers.size() < 2 ? 0 : parts->numbers[1];
     if (group.columns.empty()) {
         if (std::optional<Profile> profile = find_profile(model, fmt::format("{}{}", parts->name, parts->rest))) {
             group.columns = std::move(profile->columns);
@@ -145,6 +167,7 @@ double evaluate(const ColumnGroup& group, const Moment& moment) {
         return evaluate(group.columns.front(), moment);
     }
     double sum = 0, above = 0, least = std::numeric_limits<double>::infinity(), largest = -least;
+    std::vector<double> values;
     for (const Column& column : group.columns) {
         const double value = evaluate(column, moment);
         if (std::isnan(value)) {
@@ -154,8 +177,12 @@ double evaluate(const ColumnGroup& group, const Moment& moment) {
         above += value > group.level ? 1 : 0;
         least = std::min(least, value);
         largest = std::max(largest, value);
+        if (group.word == "front") {
+            values.push_back(value);
+        }
     }
-    return group.word == "mean"    ? sum / static_cast<double>(group.columns.size())
+    return group.word == "front"   ? front_of(std::move(values), group.level, group.width)
+           : group.word == "mean"  ? sum / static_cast<double>(group.columns.size())
            : group.word == "sum"   ? sum
            : group.word == "above" ? above
            : group.word == "min"   ? least

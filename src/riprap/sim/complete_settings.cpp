@@ -8,10 +8,7 @@ namespace riprap::sim {
 
 SolidSettings completed_settings(const Model& model, const body::BodyState& bodies, double speed) {
     return Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> SolidSettings {
-        if constexpr (requires { Solid::completed(solid_scene(model), settings, bodies, speed); }) {
-            return Solid::completed(solid_scene(model), settings, bodies, speed);
-        }
-        return settings;
+        return Solid::traits.completed(solid_scene(model), settings, bodies, speed);
     });
 }
 

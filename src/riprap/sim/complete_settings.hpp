@@ -11,8 +11,7 @@ namespace riprap::sim {
 
 struct Model;
 
-/// Returns the settings of the solid method with values in place of those that the case leaves to the scene, by the
-/// method's `completed(scene, settings, bodies, speed)`; the same settings where it has none.
+/// Returns the settings of the solid method with values in place of those that the case leaves to the scene.
 /// @param speed  of the hardest impact to come [m/s]
 SolidSettings completed_settings(const Model& model, const body::BodyState& bodies, double speed);
 

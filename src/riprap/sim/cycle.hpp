@@ -12,7 +12,7 @@ namespace riprap::sim {
 struct Cycle {
     double time{0};          ///< at the beginning [s]
     double dt{0};            ///< of the whole step [s]
-    std::int64_t spans{1};   ///< of the fluid; more than one where the solids' own step is the longer
+    std::int64_t spans{1};   ///< of the fluid: none without one, more than one where the step of the solids is longer
     std::int64_t pieces{1};  ///< of the solids; more than one where the fluid's is
 
     TimeSpan span(std::int64_t k) const { return part(k, spans); }

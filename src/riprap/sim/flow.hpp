@@ -3,20 +3,19 @@
 
 // The fluid in a step, whatever its method: for the sources of this folder only.
 
-#include <vector>
-
-#include "riprap/sim/bound_methods.hpp"
-#include "riprap/sim/cycle.hpp"
-#include "riprap/sim/fluid_exchange.hpp"
+#include "riprap/sim/step_context.hpp"
 
 namespace riprap::sim {
 
-/// The spans of the fluid, to the loads that the solids feel over the step. The last span is not ended yet.
-Outcome flow_over(const Model& model, State& state, Fluid& fluid, Solid& solids, const Cycle& cycle, ScratchData& data,
-                  std::vector<FluidSpan>& spans, StepReport& report);
+/// Begins a step of the fluid: nothing where there is none. Refuses a step that the case fixes and the fluid does not
+/// allow.
+Outcome begin_flow(StepContext& step);
 
-/// Books what both sides exchanged, and ends the last span of the fluid.
-Outcome end_flow(const Model& model, State& state, Fluid& fluid, const Cycle& cycle, ScratchData& data,
-                 std::vector<FluidSpan>& spans, StepReport& report);
+/// Takes the fluid over span k, to its loads on bodies where they were predicted to be and its kick. Its last span is
+/// ended by `book`.
+Outcome flow(StepContext& step, std::int64_t k);
+
+/// Ends the last span of the fluid, with bodies at the end of the step, and books what both sides exchanged.
+Outcome book(StepContext& step);
 
 }  // namespace riprap::sim

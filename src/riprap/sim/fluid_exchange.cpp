@@ -67,8 +67,10 @@ Sym3 strain_between(const body::BodyState& before, const body::BodyState& after,
 
 }  // namespace
 
-WorkDone work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
-                   const body::Loads& loads) {
+WorkDone work_done(const StepContext& step) {
+    const body::BodyState &before = step.scratch.before, &after = step.state.bodies;
+    const body::BodyKinematics& kinematics = step.scratch.prediction.kinematics;
+    const body::Loads& loads = step.scratch.loads;
     WorkDone work;
     for (std::size_t b = 0; b < loads.size(); ++b) {
         if (kinematics.inverse_mass[b] > 0) {
@@ -82,8 +84,13 @@ WorkDone work_done(const body::BodyState& before, const body::BodyState& after, 
     return work;
 }
 
-void note_accelerations(const Model& model, const body::BodyState& before, const body::BodyKinematics& kinematics,
-                        const body::Loads& loads, double dt, State& state) {
+void note_accelerations(StepContext& step) {
+    const Model& model = step.model;
+    State& state = step.state;
+    const body::BodyState& before = step.scratch.before;
+    const body::BodyKinematics& kinematics = step.scratch.prediction.kinematics;
+    const body::Loads& loads = step.scratch.loads;
+    const double dt = step.cycle.dt;
     coupling::CouplingState& coupling = state.coupling;
     for (std::int32_t i = 0; i < model.bodies.size(); ++i) {
         const auto b = at(i);
@@ -110,12 +117,15 @@ Vec3 going_on(const Vec3& mean, const Vec3& last) { return dot(mean, last) < 0.5
 
 }  // namespace
 
-void forget_impacts(const Model& model, const body::BodyKinematics& kinematics, const body::Loads& contacts, double dt,
-                    State& state) {
-    coupling::CouplingState& coupling = state.coupling;
-    const Vec3 gravity = model.gravity.at(state.time + dt);
+void forget_impacts(StepContext& step) {
+    const State& state = step.state;
+    const body::BodyKinematics& kinematics = step.scratch.prediction.kinematics;
+    const body::Loads& contacts = contact_loads(step.scratch);
+    coupling::CouplingState& coupling = step.state.coupling;
+    const double end = state.time + step.cycle.dt;
+    const Vec3 gravity = step.model.gravity.at(end);
     body::PointLoadSum sum;
-    const body::LoadView given = sum.add(model.loads, state.bodies, state.time + dt, {});
+    const body::LoadView given = sum.add(step.model.loads, state.bodies, end, {});
     for (std::size_t b = 0; b < contacts.size() && b < coupling.dry_acceleration.size(); ++b) {
         if (kinematics.inverse_mass[b] > 0) {
             Vec3 &linear = coupling.dry_acceleration[b], &angular = coupling.dry_angular_acceleration[b];
@@ -135,7 +145,7 @@ void book_true_way(double work_given, std::size_t rest, std::span<FluidSpan> spa
     const double more = (work_given - foreseen) / static_cast<double>(spans.size());
     for (FluidSpan& span : spans) {
         span.work_on_free += more;
-        span.step.fluid.work_on_solids += more;
+        span.step.balance.work_on_solids += more;
         span.step.own[rest] -= more;
     }
 }
@@ -144,21 +154,22 @@ void book_straining(double work, std::size_t straining, std::span<FluidSpan> spa
     const double share = work / static_cast<double>(spans.size());
     for (FluidSpan& span : spans) {
         span.work_on_free += share;
-        span.step.fluid.work_on_solids += share;
+        span.step.balance.work_on_solids += share;
         span.step.own[straining] -= share;
     }
 }
 
-void book_fluid(std::span<const FluidSpan> spans, double work_given, const Accounts& accounts, LedgerState& state,
-                Ledger& ledger) {
+void book_fluid(StepContext& step, double work_given) {
+    const std::vector<FluidSpan>& spans = step.spans;
+    LedgerState& totals = step.state.ledger;
     double work_seen = 0;
     for (std::size_t k = 0; k < spans.size(); ++k) {
         work_seen += spans[k].work_on_free;
         const bool is_last = k + 1 == spans.size();
         Ledger earlier;  // the solids are booked once a step, with the last span
-        account_fluid({spans[k].step, is_last ? work_seen : 0, is_last ? work_given : 0}, accounts, state,
-                      is_last ? ledger : earlier);
-        account_passage(spans[k].step.passage, state);
+        account_fluid({spans[k].step, is_last ? work_seen : 0, is_last ? work_given : 0}, step.accounts, totals,
+                      is_last ? step.report.ledger : earlier);
+        account_transport(spans[k].step.transported, totals);
     }
 }
 

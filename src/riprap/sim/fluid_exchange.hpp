@@ -7,17 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "riprap/coupling/fluid_report.hpp"
-#include "riprap/sim/ledger_account.hpp"
-#include "riprap/sim/scratch_data.hpp"
+#include "riprap/sim/step_context.hpp"
 
 namespace riprap::sim {
-
-/// Result of one span of the fluid.
-struct FluidSpan {
-    coupling::FluidStep step;
-    double work_on_free{0};  ///< on free bodies, as the fluid sees it [J]
-};
 
 /// Adds pressure and viscosity, within the plane of a planar scene.
 void add_up(const body::BodySet& bodies, const coupling::FluidLoads& loads, body::Loads& sum);
@@ -35,19 +27,16 @@ struct WorkDone {
     double strain{0};  ///< of the pull on the change of their stretch
     double all() const { return motion + strain; }
 };
-/// Returns the work that loads did on free bodies that went from `before` to `after`.
-WorkDone work_done(const body::BodyState& before, const body::BodyState& after, const body::BodyKinematics& kinematics,
-                   const body::Loads& loads);
+/// Returns the work that the loads of the fluid did on free bodies over the step that took them to the State.
+WorkDone work_done(const StepContext& step);
 
-/// Notes the mean accelerations over the step that took bodies from `before` to the State: the first guess of the next.
-void note_accelerations(const Model& model, const body::BodyState& before, const body::BodyKinematics& kinematics,
-                        const body::Loads& loads, double dt, State& state);
+/// Notes the mean accelerations over the step that took bodies to the State: the first guess of the next.
+void note_accelerations(StepContext& step);
 
 /// Keeps impacts that are over out of the next step: where the last contact loads are less than half of
 /// what else than the fluid accelerated a body over the step, or against it, they take its place. An impact is shorter
 /// than a step of the fluid; expected once more, the fluid would do its work on a motion that the body does not make.
-void forget_impacts(const Model& model, const body::BodyKinematics& kinematics, const body::Loads& contacts, double dt,
-                    State& state);
+void forget_impacts(StepContext& step);
 
 /// Books the work on free bodies along the way that they went in place of that foreseen, for a fluid that has an
 /// account of what its balance lacks and feels the bodies: its energy is that of the room that they leave it, and
@@ -60,10 +49,8 @@ void book_true_way(double work_given, std::size_t rest, std::span<FluidSpan> spa
 /// @param straining  number of that account
 void book_straining(double work, std::size_t straining, std::span<FluidSpan> spans);
 
-/// Books the spans of the fluid.
-/// @param work_given  on free bodies over the step, as the bodies say [J]
-void book_fluid(std::span<const FluidSpan> spans, double work_given, const Accounts& accounts, LedgerState& state,
-                Ledger& ledger);
+/// Books the spans of the fluid. @param work_given  on free bodies over the step, as the bodies say [J]
+void book_fluid(StepContext& step, double work_given);
 
 /// Empties what a fresh State keeps for the coupling.
 void reset(const Model& model, coupling::CouplingState& coupling);

@@ -236,7 +236,7 @@ Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerS
 }
 
 void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerState& state, Ledger& ledger) {
-    const fluid::FluidReport& step = all.step.fluid;
+    const fluid::FluidBalance& step = all.step.balance;
     std::vector<double>& totals = state.totals;
     const bool is_first = totals[fluid_is_started] == 0;
     FluidLedger& fluid = ledger.fluid;
@@ -285,10 +285,10 @@ void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerS
         std::max({ledger.turnover, high - low, std::abs(own.lost), std::abs(fluid.work_on_solids), own.largest_given});
 }
 
-void account_passage(const fluid::Passage& passage, LedgerState& state) {
+void account_transport(const coupling::Transported& transported, LedgerState& state) {
     std::vector<double>& totals = state.totals;
-    totals[fluid_transported] += passage.energy;
-    put(totals, fluid_impulse, get(totals, fluid_impulse) + passage.momentum);
+    totals[fluid_transported] += transported.energy;
+    put(totals, fluid_impulse, get(totals, fluid_impulse) + transported.momentum);
 }
 
 }  // namespace riprap::sim

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "riprap/core/account.hpp"
-#include "riprap/coupling/fluid_report.hpp"
+#include "riprap/coupling/fluid_step.hpp"
 #include "riprap/sim/ledger.hpp"
 #include "riprap/sim/state.hpp"
 #include "riprap/solid/solid_scene.hpp"
@@ -42,8 +42,8 @@ struct FluidLedgerStep {
 /// Adds one step of the fluid to the totals and its part to the ledger of the same kick.
 void account_fluid(const FluidLedgerStep& step, const Accounts& accounts, LedgerState& state, Ledger& ledger);
 
-/// Adds what passed the openings after that kick: the next one finds it in the fluid.
-void account_passage(const fluid::Passage& passage, LedgerState& state);
+/// Adds what came in and left after that kick: the next one finds it in the fluid.
+void account_transport(const coupling::Transported& transported, LedgerState& state);
 
 /// Empties the ledger: the next kick becomes its reference.
 void reset(const Accounts& accounts, LedgerState& state);

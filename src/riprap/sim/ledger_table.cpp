@@ -11,15 +11,6 @@ namespace riprap::sim {
 
 namespace {
 
-template <class Method>
-std::span<const Account> own_accounts() {
-    if constexpr (requires { Method::accounts(); }) {
-        return Method::accounts();
-    } else {
-        return {};
-    }
-}
-
 struct SolidLine {
     std::string_view name;
     Balance entry;
@@ -84,9 +75,10 @@ std::size_t place_of(const LedgerLine& line, std::span<const Account> accounts) 
 }  // namespace
 
 Accounts accounts_of(const Model& model) {
-    return {
-        Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings&) { return own_accounts<Solid>(); }),
-        Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings&) { return own_accounts<Fluid>(); })};
+    return {Solids::visit(model.solid,
+                          []<class Solid>(const typename Solid::Settings&) { return Solid::traits.accounts(); }),
+            Fluids::visit(model.fluid,
+                          []<class Fluid>(const typename Fluid::Settings&) { return Fluid::traits.accounts(); })};
 }
 
 const std::vector<LedgerLine>& ledger_lines() {
@@ -95,11 +87,11 @@ const std::vector<LedgerLine>& ledger_lines() {
         for (const SolidLine& line : of_every_solid) {
             lines.push_back({std::string(line.name), line.entry, line.help, false, line.value, nullptr, false});
         }
-        Solids::for_each([&lines]<class Solid>() { add_own("solid.", own_accounts<Solid>(), lines); });
+        Solids::for_each([&lines]<class Solid>() { add_own("solid.", Solid::traits.accounts(), lines); });
         for (const FluidLine& line : of_every_fluid) {
             lines.push_back({std::string(line.name), line.entry, line.help, false, nullptr, line.value, true});
         }
-        Fluids::for_each([&lines]<class Fluid>() { add_own("fluid.", own_accounts<Fluid>(), lines); });
+        Fluids::for_each([&lines]<class Fluid>() { add_own("fluid.", Fluid::traits.accounts(), lines); });
         return lines;
     }();
     return all;

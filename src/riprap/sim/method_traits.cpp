@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <type_traits>
 #include <variant>
 
 #include "riprap/sim/methods.hpp"
@@ -12,59 +12,88 @@
 
 namespace riprap::sim {
 
-bool books_every_step(const Model& model) {
-    const bool of_solids = Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings& /*settings*/) {
-        return requires { requires Solid::books_every_step; };
+namespace {
+
+/// Calls ask(traits, settings) with those of the method of the case.
+template <class Ask>
+auto of_solid(const SolidSettings& solid, const Ask& ask) {
+    return Solids::visit(
+        solid, [&ask]<class Solid>(const typename Solid::Settings& settings) { return ask(Solid::traits, settings); });
+}
+template <class Ask>
+auto of_fluid(const Model& model, const Ask& ask) {
+    return Fluids::visit(model.fluid, [&ask]<class Fluid>(const typename Fluid::Settings& settings) {
+        return ask(Fluid::traits, settings);
     });
-    return of_solids && Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& settings) {
-               if constexpr (requires { Fluid::books_every_step(settings); }) {
-                   return Fluid::books_every_step(settings);
-               }
-               return false;
-           });
+}
+
+/// Returns the step or the elasticity in the settings of a solid method; null where they have none.
+template <class Choice>
+auto step_in(Choice& solid) -> decltype(step_of(solid)) {
+    return std::visit(
+        [](auto& settings) -> decltype(step_of(solid)) {
+            constexpr auto step = std::remove_cvref_t<decltype(settings)>::Method::traits.step;
+            return step == nullptr ? nullptr : &(settings.*step);
+        },
+        solid);
+}
+template <class Choice>
+auto elasticity_in(Choice& solid) -> decltype(elasticity_of(solid)) {
+    return std::visit(
+        [](auto& settings) -> decltype(elasticity_of(solid)) {
+            constexpr auto elasticity = std::remove_cvref_t<decltype(settings)>::Method::traits.elasticity;
+            return elasticity == nullptr ? nullptr : &(settings.*elasticity);
+        },
+        solid);
+}
+
+}  // namespace
+
+bool books_every_step(const Model& model) {
+    return of_solid(model.solid, [](const auto& traits, const auto&) { return traits.books_every_step; }) &&
+           of_fluid(model, [](const auto& traits, const auto& settings) { return traits.books_every_step(settings); });
 }
 
 double grain(const Model& model) {
-    return Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& settings) {
-        if constexpr (requires { Fluid::grain(settings); }) {
-            return Fluid::grain(settings);
-        }
-        return 0.0;
-    });
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.grain(settings); });
 }
 
 double fluid_spacing(const Model& model) {
-    return Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& settings) {
-        if constexpr (requires { settings.settings().spacing; }) {
-            return settings.settings().spacing;
-        } else if constexpr (Fluid::leads) {
-            return settings.spacing;
-        } else {
-            return 0.0;
-        }
-    });
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.spacing(settings); });
+}
+
+double cell_width(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.cell_width(settings); });
+}
+
+double courant(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.courant(settings); });
+}
+
+std::size_t fluid_bytes(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.bytes(settings); });
+}
+
+std::string cells_text(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.cells_text(settings); });
+}
+
+std::vector<std::string> absorbed_ranges(const Model& model) {
+    return of_fluid(model, [](const auto& traits, const auto& settings) { return traits.absorbed_ranges(settings); });
 }
 
 bool fluid_leads(const Model& model) {
-    return Fluids::visit(model.fluid,
-                         []<class Fluid>(const typename Fluid::Settings& /*settings*/) { return Fluid::leads; });
+    return of_fluid(model, [](const auto& traits, const auto&) { return traits.leads; });
 }
 
 bool meets_by_shapes(const Model& model) {
-    return Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings& settings) {
-        if constexpr (requires { Solid::meets_by_shapes(settings); }) {
-            return Solid::meets_by_shapes(settings);
-        }
-        return true;
-    });
+    return of_solid(model.solid,
+                    [](const auto& traits, const auto& settings) { return traits.meets_by_shapes(settings); });
 }
 
 double smallest_stand_in(const Model& model) {
-    double least = Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
-        if constexpr (requires { Solid::smallest_stand_in(model.bodies, model.shapes, settings); }) {
-            return Solid::smallest_stand_in(model.bodies, model.shapes, settings);
-        }
-        return std::numeric_limits<double>::infinity();
+    double least = of_solid(model.solid, [&](const auto& traits, const auto& settings) {
+        return traits.smallest_stand_in(model.bodies, model.shapes, settings);
     });
     for (const body::GivenSpheres& given : model.spheres) {
         for (const body::ShapeSphere& sphere : given.spheres) {
@@ -75,9 +104,29 @@ double smallest_stand_in(const Model& model) {
 }
 
 bool tells_depth(const Model& model) {
-    return Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings& /*settings*/) {
-        return requires { requires Solid::tells_depth; };
-    });
+    return of_solid(model.solid, [](const auto& traits, const auto&) { return traits.tells_depth; });
+}
+
+const double* step_of(const SolidSettings& solid) { return step_in(solid); }
+double* step_of(SolidSettings& solid) { return step_in(solid); }
+
+const solid::affine::Elasticity* elasticity_of(const SolidSettings& solid) { return elasticity_in(solid); }
+solid::affine::Elasticity* elasticity_of(SolidSettings& solid) { return elasticity_in(solid); }
+
+double max_speed(const Model& model) {
+    return of_solid(model.solid, [](const auto& traits, const auto& settings) { return traits.max_speed(settings); });
+}
+
+double max_stretch(const Model& model) {
+    return of_solid(model.solid, [](const auto& traits, const auto& settings) { return traits.max_stretch(settings); });
+}
+
+int open_close(const Model& model) {
+    return of_solid(model.solid, [](const auto& traits, const auto& settings) { return traits.open_close(settings); });
+}
+
+bool is_of_plane(const Model& model) {
+    return of_solid(model.solid, [](const auto& traits, const auto&) { return traits.is_of_plane; });
 }
 
 std::vector<material::PropertyUse> property_uses(const Model& model) {
@@ -101,15 +150,11 @@ std::vector<std::string_view> solid_words() {
 std::vector<std::string_view> solids_that_tip_about_edges(const Model& model) {
     std::vector<std::string_view> words;
     Solids::for_each([&]<class Solid>() {
-        using Settings = typename Solid::Settings;
-        const bool tells = requires { requires Solid::tells_depth; };
-        bool is_of_shapes = true;
-        if constexpr (requires { Solid::smallest_stand_in(model.bodies, model.shapes, Settings{}); }) {
-            is_of_shapes = std::isinf(Solid::smallest_stand_in(model.bodies, model.shapes, Settings{}));
-        }
-        const bool is_of_plane = requires(Settings settings) { settings.plane; };
-        if (!tells && is_of_shapes && (model.bodies.is_planar || !is_of_plane)) {
-            words.push_back(Settings::method_name);
+        const auto& traits = Solid::traits;
+        const bool is_of_shapes =
+            std::isinf(traits.smallest_stand_in(model.bodies, model.shapes, typename Solid::Settings{}));
+        if (!traits.tells_depth && is_of_shapes && (model.bodies.is_planar || !traits.is_of_plane)) {
+            words.push_back(Solid::Settings::method_name);
         }
     });
     return words;
@@ -139,24 +184,20 @@ std::vector<std::string_view> solids_that_read(material::Property property) {
 std::vector<solid::LackingProperty> lacking_properties(const Model& model) {
     const solid::SolidScene scene = solid_scene(model);
     return Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
-        return solid::lacking_properties(scene, solid::kinds_of<Solid>(scene, settings),
+        return solid::lacking_properties(scene, Solid::traits.kinds_of(scene, settings),
                                          solid::reads_of<Solid>(settings));
     });
 }
 
 std::vector<solid::SceneProblem> solid_problems(const Model& model, const body::BodyState& bodies) {
-    return Solids::visit(
-        model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> std::vector<solid::SceneProblem> {
-            if constexpr (requires { Solid::problems_of(solid_scene(model), settings, bodies); }) {
-                return Solid::problems_of(solid_scene(model), settings, bodies);
-            }
-            return {};
-        });
+    return of_solid(model.solid, [&](const auto& traits, const auto& settings) {
+        return traits.problems_of(solid_scene(model), settings, bodies);
+    });
 }
 
 std::vector<solid::UnansweredBody> unanswered_bodies(const Model& model) {
     return Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
-        return solid::unanswered_bodies(model.bodies, solid::kinds_of<Solid>(solid_scene(model), settings),
+        return solid::unanswered_bodies(model.bodies, Solid::traits.kinds_of(solid_scene(model), settings),
                                         solid::pairs_of<Solid>());
     });
 }
@@ -175,28 +216,24 @@ std::vector<std::string_view> solids_that_answer(const solid::UnansweredBody& un
 
 std::string misfit_of_fields(const Model& model, const State& state) {
     return Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) -> std::string {
-        const auto* fields = Solids::find<Solid>(state.solid_fields);
-        if constexpr (requires { Solid::misfit(solid_scene(model), settings, state.bodies, *fields); }) {
-            return fields == nullptr ? "its fields are missing"
-                                     : Solid::misfit(solid_scene(model), settings, state.bodies, *fields);
+        if (Solid::traits.misfit == nullptr) {
+            return {};
         }
-        return {};
+        const auto* fields = Solids::find<Solid>(state.solid_fields);
+        return fields == nullptr ? "its fields are missing"
+                                 : Solid::traits.misfit(solid_scene(model), settings, state.bodies, *fields);
     });
 }
 
 std::string let_go_text(const Model& model, const State& state) {
-    return Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) -> std::string {
-        if constexpr (requires(typename Fluid::Fields fields) { Fluid::let_go_text(settings, fields); }) {
-            return Fluid::let_go_text(settings, std::get<typename Fluid::Fields>(state.fluid_fields));
-        }
-        return {};
+    return Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) {
+        const auto* fields = Fluids::find<Fluid>(state.fluid_fields);
+        return fields == nullptr ? std::string() : Fluid::traits.let_go_text(settings, *fields);
     });
 }
 
 bool reads_gauge(const Model& model, const fluid::GaugeKind& kind) {
-    return Fluids::visit(model.fluid, [&kind]<class Fluid>(const typename Fluid::Settings& /*settings*/) {
-        return (kind.needs & ~Fluid::offers) == 0;
-    });
+    return of_fluid(model, [&kind](const auto& traits, const auto&) { return (kind.needs & ~traits.offers) == 0; });
 }
 
 std::vector<std::string_view> fluids_that_read(const fluid::GaugeKind& kind) {
@@ -205,12 +242,12 @@ std::vector<std::string_view> fluids_that_read(const fluid::GaugeKind& kind) {
         (words.push_back(Schemes::method_name), ...);
     };
     Fluids::for_each([&]<class Fluid>() {
-        if ((kind.needs & ~Fluid::offers) != 0) {
+        if ((kind.needs & ~Fluid::traits.offers) != 0) {
             return;
         }
         if constexpr (requires { typename Fluid::Settings::Choices; }) {
             add(static_cast<const typename Fluid::Settings::Choices*>(nullptr));
-        } else if constexpr (Fluid::is_there) {
+        } else if constexpr (Fluid::traits.is_there) {
             words.push_back(Fluid::Settings::method_name);
         }
     });
@@ -220,15 +257,14 @@ std::vector<std::string_view> fluids_that_read(const fluid::GaugeKind& kind) {
 namespace {
 
 /// Does a solid method say that it has an ability?
-template <class Solid>
-bool states(SolidAbility asks) {
+bool states(const auto& traits, SolidAbility asks) {
     switch (asks) {
         case SolidAbility::locks:
-            return requires { requires Solid::has_locks; };
+            return traits.has_locks;
         case SolidAbility::fixed_points:
-            return requires { requires Solid::has_fixed_points; };
+            return traits.has_fixed_points;
         case SolidAbility::bolts:
-            return requires { requires Solid::has_bolts; };
+            return traits.has_bolts;
     }
     return false;
 }
@@ -236,14 +272,13 @@ bool states(SolidAbility asks) {
 }  // namespace
 
 bool does(const Model& model, SolidAbility asks) {
-    return Solids::visit(
-        model.solid, [asks]<class Solid>(const typename Solid::Settings& /*settings*/) { return states<Solid>(asks); });
+    return of_solid(model.solid, [asks](const auto& traits, const auto&) { return states(traits, asks); });
 }
 
 std::vector<std::string_view> solids_that(SolidAbility asks) {
     std::vector<std::string_view> words;
     Solids::for_each([&]<class Solid>() {
-        if (states<Solid>(asks)) {
+        if (states(Solid::traits, asks)) {
             words.push_back(Solid::Settings::method_name);
         }
     });

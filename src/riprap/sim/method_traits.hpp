@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Properties that methods state of themselves beyond what a step needs. A method that does not say it has the default.
+// What the methods of a case state of themselves beyond what a step needs, by the traits that their classes declare
+// (solid/solid_traits.hpp, coupling/fluid_traits.hpp).
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -10,6 +12,7 @@
 
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/material/property.hpp"
+#include "riprap/sim/settings.hpp"
 #include "riprap/solid/pair_physics.hpp"
 
 namespace riprap::sim {
@@ -17,31 +20,60 @@ namespace riprap::sim {
 struct Model;
 struct State;
 
-/// Does the ledger close from the first step on? A solid method says so by `books_every_step`, a fluid by
-/// `books_every_step(settings)`; else what it dissipates is known over some steps only.
+/// Does the ledger close from the first step on? Else what is dissipated is known over some steps only.
 bool books_every_step(const Model& model);
 
-/// Height by which a fluid may settle when it is let go, `grain(settings)` of its method: the spacing of particles; by
-/// default none [m].
+/// Height by which a fluid may settle when it is let go: the spacing of particles [m].
 double grain(const Model& model);
 
 /// Returns the size of particles or cells of the fluid; 0 where it has none [m].
 double fluid_spacing(const Model& model);
 
+/// Returns the width of the narrowest cell of the fluid; 0 where it has none [m].
+double cell_width(const Model& model);
+
+/// Returns the share of the limit of its step that a fluid is to take; 0 where it has none [-].
+double courant(const Model& model);
+
+/// Bytes of what the settings of the fluid hold beside themselves.
+std::size_t fluid_bytes(const Model& model);
+
+/// Says how many cells the fluid has and how wide they are; empty where it has none.
+std::string cells_text(const Model& model);
+
+/// Says which waves sides of the fluid absorb, a line each.
+std::vector<std::string> absorbed_ranges(const Model& model);
+
 /// Is the step of the fluid that of the run?
 bool fluid_leads(const Model& model);
 
-/// Do bodies meet by their shapes? A solid method for which something else may stand for a body says so by
-/// `meets_by_shapes(settings)`; by default they do.
+/// Do bodies meet by their shapes?
 bool meets_by_shapes(const Model& model);
 
-/// Smallest radius of what a solid method lets stand for the shapes of bodies, its `smallest_stand_in(bodies, shapes,
-/// settings)`; infinity by default [m].
+/// Smallest radius of what a solid method lets stand for the shapes of bodies; infinity where nothing does [m].
 double smallest_stand_in(const Model& model);
 
-/// Does every contact tell how deep it is (ContactRow::potential), one a pair of parts? A solid method says so by
-/// `tells_depth`.
+/// Does every contact tell how deep it is (ContactRow::potential), one a pair of parts?
 bool tells_depth(const Model& model);
+
+/// Does the solid method move planar scenes alone?
+bool is_of_plane(const Model& model);
+
+/// Returns the speed of a body that ends a run [m/s], and the determinant of a deformation that does [-]; 0 where the
+/// solid method has no such bound.
+double max_speed(const Model& model);
+double max_stretch(const Model& model);
+
+/// Returns the most rounds of the open-close iteration of the solid method; 0 where it has none.
+int open_close(const Model& model);
+
+/// Returns the step that a solid method wants, where it is implicit; else nullptr.
+const double* step_of(const SolidSettings& solid);
+double* step_of(SolidSettings& solid);
+
+/// Returns the elasticity of the blocks of a solid method; nullptr where they have none.
+const solid::affine::Elasticity* elasticity_of(const SolidSettings& solid);
+solid::affine::Elasticity* elasticity_of(SolidSettings& solid);
 
 /// Returns the properties of materials that the solid method reads, whatever bodies the scene has.
 std::vector<material::PropertyUse> property_uses(const Model& model);
@@ -65,7 +97,7 @@ std::vector<material::PropertyUse> property_uses(std::string_view solid_word);
 /// Returns the properties that the materials of the bodies lack for the solid method.
 std::vector<solid::LackingProperty> lacking_properties(const Model& model);
 
-/// Says why the solid method cannot move the scene, by its `problems_of(scene, settings, bodies)`.
+/// Says why the solid method cannot move the scene.
 std::vector<solid::SceneProblem> solid_problems(const Model& model, const body::BodyState& bodies);
 
 /// Returns the bodies that meet others for which the solid method has no physics.
@@ -77,17 +109,16 @@ std::vector<std::string_view> solids_that_answer(const solid::UnansweredBody& un
 /// Says why fields of the solid method that were read from a file are not of this scene; empty where they are.
 std::string misfit_of_fields(const Model& model, const State& state);
 
-/// Says how much fluid has left where it was let go, by the fluid's `let_go_text(settings, fields)`; empty where none
-/// has.
+/// Says how much fluid has left where it was let go; empty where none has.
 std::string let_go_text(const Model& model, const State& state);
 
-/// Does the fluid read gauges of a kind? It says so by the readings that it `offers`.
+/// Does the fluid read gauges of a kind, by the readings that it offers?
 bool reads_gauge(const Model& model, const fluid::GaugeKind& kind);
 
 /// Returns the words of the fluids that read gauges of a kind.
 std::vector<std::string_view> fluids_that_read(const fluid::GaugeKind& kind);
 
-/// Abilities of a solid method besides moving bodies, each stated by a member: has_locks, has_fixed_points, has_bolts.
+/// Abilities of a solid method besides moving bodies.
 enum class SolidAbility : std::uint8_t { locks, fixed_points, bolts };
 
 /// Does the solid method do what is asked for?

@@ -5,12 +5,10 @@
 
 #include <concepts>
 #include <cstddef>
-#include <span>
 #include <type_traits>
 #include <variant>
 
 #include "riprap/contact/shown_contact.hpp"
-#include "riprap/core/step.hpp"
 #include "riprap/coupling/grid_fluid/grid_fluid.hpp"
 #include "riprap/coupling/hydrostatic/hydrostatic.hpp"
 #include "riprap/coupling/no_fluid.hpp"
@@ -24,46 +22,31 @@
 
 namespace riprap::sim {
 
-/// A way in which solids move. An object is bound to Model, State and Scratch for one step. Whatever the method, the
-/// bodies of the State say where every point is, x = x_c + R U X, and how it moves; other fields are the method's own.
+/// What the class of a solid method has beside the verbs of solid::SolidMethod: it is made for one step, and answers
+/// for its own fields and buffers.
 template <class M>
-concept SolidMethod = std::default_initializable<typename M::Settings> &&
-    std::default_initializable<typename M::Fields> && std::default_initializable<typename M::Scratch> &&
-    requires(M solids, const M looked_at, const TimeSpan& span, const body::LoadView& loads, solid::Measure measure,
-             solid::SolidReport& report, const typename M::Scratch& scratch, const solid::SolidScene& scene,
-             const typename M::Settings& settings, const typename M::Fields& fields) {
-    requires std::same_as<typename M::Fields, NoFields> || requires(const body::BodyState& bodies) {
-        { M::misfit(scene, settings, bodies, fields) } -> std::same_as<std::string>;
-    };
-    { looked_at.limit() } -> std::same_as<StepLimit>;
-    { solids.advance(span, loads, measure, report) } -> std::same_as<Outcome>;
+concept RegisteredSolid = std::derived_from<M, solid::SolidMethod> &&
+    std::default_initializable<typename M::Settings> && std::default_initializable<typename M::Fields> &&
+    std::default_initializable<typename M::Scratch> &&
+    std::constructible_from<M, const solid::SolidScene&, const typename M::Settings&, const solid::SolidState&,
+                            typename M::Fields&, typename M::Scratch&> &&
+    std::same_as<decltype(M::traits), const solid::SolidTraits<typename M::Settings>> &&
+    requires(const typename M::Scratch& scratch, const solid::SolidScene& scene, const typename M::Settings& settings,
+             const typename M::Fields& fields) {
+    requires std::same_as<typename M::Fields, NoFields> || M::traits.misfit != nullptr;
+    { M::Physics::kinds.size() } -> std::same_as<std::size_t>;
     { M::contact_loads(scratch) } -> std::same_as<const body::Loads&>;
     { M::times(scratch) } -> std::same_as<const solid::SolidTimes&>;
     { M::contacts(scene, settings, fields, scratch) } -> std::same_as<std::vector<contact::ShownContact>>;
 };
 
-/// A way in which a fluid moves, with the coupling that it needs. More functions are optional: `start()`, called once
-/// on a fresh State, and
-///
-///     bool corrects() const;
-///     bool correct(bodies, kinematics, is_sought, residual, guess);
-///
-/// of which the second improves the accelerations of bodies with which the last load was computed, from their
-/// `residual`: the accelerations by that load less these; false where it has no improvement. The first tells whether
-/// the water of the case has it: then it cannot give way, and its loads follow the way of bodies within a step.
+/// What the class of a fluid has beside the verbs of coupling::FluidMethod.
 template <class M>
-concept FluidMethod = requires(M fluid, const M looked_at, const TimeSpan& span, const body::Motion& motion,
-                               coupling::FluidStep& report, coupling::FluidLoads& loads, std::vector<Vec3>& corrections,
-                               std::int64_t step, const coupling::GaugeQuery<M>& query) {
-    { looked_at.limit() } -> std::same_as<StepLimit>;
-    fluid.tidy(step);
-    fluid.drive(span, corrections);
-    { fluid.begin(span, motion, motion, report) } -> std::same_as<Outcome>;
-    fluid.load(span, motion, loads);
-    { fluid.kick(span, report) } -> std::same_as<Outcome>;
-    { fluid.end(span, report) } -> std::same_as<Outcome>;
-    { looked_at.feedback() } -> std::convertible_to<std::span<const double>>;
-    { M::offers } -> std::convertible_to<unsigned>;
+concept RegisteredFluid = std::derived_from<M, coupling::FluidMethod> &&
+    std::constructible_from<M, const coupling::FluidScene&, const typename M::Settings&, const coupling::FluidState&,
+                            typename M::Fields&, typename M::Scratch&> &&
+    std::same_as<decltype(M::traits), const coupling::FluidTraits<typename M::Settings>> &&
+    requires(const coupling::GaugeQuery<M>& query) {
     { M::read(query) } -> std::same_as<fluid::GaugeReading>;
 };
 
@@ -138,15 +121,15 @@ using Solids = detail::MethodsOf<SolidSettings>::List;
 using Fluids = detail::MethodsOf<FluidSettings>::List;
 
 namespace detail {
-template <SolidMethod... Methods>
+template <RegisteredSolid... Methods>
 constexpr bool are_solids(const MethodList<Methods...>* /*list*/) {
     return true;
 }
-template <FluidMethod... Methods>
+template <RegisteredFluid... Methods>
 constexpr bool are_fluids(const MethodList<Methods...>* /*list*/) {
     return true;
 }
-// A method that lacks a function of the step is named here, by the concept that it does not meet.
+// A method that lacks a function is named here, by the concept that it does not meet.
 static_assert(are_solids(static_cast<const Solids*>(nullptr)) && are_fluids(static_cast<const Fluids*>(nullptr)));
 }  // namespace detail
 

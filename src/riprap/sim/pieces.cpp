@@ -11,22 +11,23 @@ namespace {
 /// Most halvings of a refused piece: 2^10 = 1024 parts.
 constexpr int most_cuts = 10;
 
-Outcome move_over(Solid& solids, State& state, const TimeSpan& span, const body::LoadView& loads,
-                  solid::Measure measure, const std::function<void(const solid::SolidReport&)>& take, int cuts) {
+Outcome move_over(StepContext& step, const Piece& piece, const std::function<void(const solid::SolidReport&)>& take,
+                  int cuts) {
     std::optional<Kept> kept;
-    if (solids.takes_back()) {
-        kept = keep(state);
+    if (step.solid.takes_back()) {
+        kept = keep(step.state);
     }
-    solid::SolidReport piece;
-    Outcome outcome = solids.advance(span, loads, measure, piece);
+    solid::SolidReport report;
+    Outcome outcome = step.solid.advance(piece.span, piece.loads, piece.measure, report);
     if (outcome.ok() || !kept || outcome.shorten <= 0 || cuts == most_cuts) {
-        take(piece);
+        take(report);
         return outcome;
     }
-    take_back(std::move(*kept), state);
-    const double half = 0.5 * span.dt;
-    outcome = move_over(solids, state, {span.time, half}, loads, solid::Measure::flow, take, cuts + 1);
-    return outcome.ok() ? move_over(solids, state, {span.time + half, half}, loads, measure, take, cuts + 1) : outcome;
+    take_back(std::move(*kept), step.state);
+    const auto [time, dt] = piece.span;
+    const double half = 0.5 * dt;
+    outcome = move_over(step, {{time, half}, piece.loads, Measure::flow}, take, cuts + 1);
+    return outcome.ok() ? move_over(step, {{time + half, half}, piece.loads, piece.measure}, take, cuts + 1) : outcome;
 }
 
 }  // namespace
@@ -40,9 +41,8 @@ void take_back(Kept&& kept, State& state) {
     state.previous_dt = kept.previous_dt;
 }
 
-Outcome move_over(Solid& solids, State& state, const TimeSpan& span, const body::LoadView& loads,
-                  solid::Measure measure, const std::function<void(const solid::SolidReport&)>& take) {
-    return move_over(solids, state, span, loads, measure, take, 0);
+Outcome move_over(StepContext& step, const Piece& piece, const std::function<void(const solid::SolidReport&)>& take) {
+    return move_over(step, piece, take, 0);
 }
 
 }  // namespace riprap::sim

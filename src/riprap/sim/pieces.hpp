@@ -5,8 +5,7 @@
 
 #include <functional>
 
-#include "riprap/sim/bound_methods.hpp"
-#include "riprap/sim/state.hpp"
+#include "riprap/sim/step_context.hpp"
 
 namespace riprap::sim {
 
@@ -20,9 +19,15 @@ struct Kept {
 Kept keep(const State& state);
 void take_back(Kept&& kept, State& state);
 
+/// A piece of motion of the solids.
+struct Piece {
+    TimeSpan span;
+    body::LoadView loads;  ///< held over it
+    Measure measure;
+};
+
 /// Moves the solids over a piece; what is refused is taken back and cut finer where the method says that this helps.
 /// @param take  called with the report of every part that counts, in their order
-Outcome move_over(Solid& solids, State& state, const TimeSpan& span, const body::LoadView& loads,
-                  solid::Measure measure, const std::function<void(const solid::SolidReport&)>& take);
+Outcome move_over(StepContext& step, const Piece& piece, const std::function<void(const solid::SolidReport&)>& take);
 
 }  // namespace riprap::sim

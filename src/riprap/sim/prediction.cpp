@@ -6,6 +6,7 @@
 
 #include "riprap/body/locks.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/core/timer.hpp"
 
 namespace riprap::sim {
 
@@ -38,12 +39,24 @@ void tell_density(const coupling::CouplingState& coupling, double dt, Prediction
     }
 }
 
+/// Returns the accelerations over the last step.
+std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling) {
+    std::vector<body::Acceleration> found(coupling.acceleration.size());
+    for (std::size_t b = 0; b < found.size(); ++b) {
+        found[b] = {coupling.acceleration[b], coupling.angular_acceleration[b]};
+    }
+    return found;
+}
+
 }  // namespace
 
-void predict(const Model& model, const State& state, const TimeSpan& span, double since, Prediction& prediction) {
-    const body::BodySet& bodies = model.bodies;
-    prediction.bodies = state.bodies;
-    if (since > 0) {
+void predict(StepContext& step, const TimeSpan& span) {
+    const ScopedTimer timer(step.scratch.times.fluid);
+    const body::BodySet& bodies = step.model.bodies;
+    Prediction& prediction = step.scratch.prediction;
+    step.fluid.drive(span, prediction.correction);
+    prediction.bodies = step.state.bodies;
+    if (const double since = span.time - step.state.time; since > 0) {
         solid::drift(bodies, prediction.bodies, span.time, since);
         for (std::size_t b = 0; b < prediction.moved.size(); ++b) {
             prediction.bodies.position[b] += prediction.moved[b];
@@ -59,22 +72,24 @@ void predict(const Model& model, const State& state, const TimeSpan& span, doubl
         prediction.bodies.position[b] += 0.5 * span.dt * prediction.gained[b].linear;
     }
     update_kinematics(bodies, prediction.bodies, span.middle(), prediction.kinematics);
-    predict_middle(model, span, prediction);
-    tell_density(state.coupling, span.dt, prediction);
+    predict_middle(step, span);
+    tell_density(step.state.coupling, span.dt, prediction);
 }
 
-void predict_middle(const Model& model, const TimeSpan& span, Prediction& prediction) {
-    fill_motion(model.bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction,
+void predict_middle(StepContext& step, const TimeSpan& span) {
+    Prediction& prediction = step.scratch.prediction;
+    fill_motion(step.model.bodies, prediction.bodies, prediction.kinematics, prediction.guess, prediction.correction,
                 span.middle(), 0.5 * span.dt, span.dt, prediction.middle);
     add(prediction.gained, prediction.middle);
     add(prediction.catch_up, prediction.middle);
 }
 
-void note_gain(const Model& model, const State& state, const body::Loads& loads, double dt, Prediction& prediction) {
+void note_gain(StepContext& step, double dt) {
+    Prediction& prediction = step.scratch.prediction;
     for (std::size_t b = 0; b < prediction.gained.size(); ++b) {
         if (prediction.kinematics.inverse_mass[b] > 0) {
-            const body::Acceleration a = response(model.bodies, state.coupling, prediction.kinematics, loads, b);
-            const body::Locks locks = body::locks_of(model.bodies, b);
+            const body::Acceleration a = response(step, b);
+            const body::Locks locks = body::locks_of(step.model.bodies, b);
             prediction.moved[b] += dt * (prediction.gained[b].linear + 0.5 * dt * a.linear);
             prediction.gained[b].linear += dt * a.linear;
             prediction.gained[b].angular += dt * locks.free_rotation(a.angular);
@@ -82,10 +97,18 @@ void note_gain(const Model& model, const State& state, const body::Loads& loads,
     }
 }
 
-void begin_ways(const Model& model, const State& state, double dt, Prediction& prediction) {
+void begin_prediction(StepContext& step) {
+    const Model& model = step.model;
+    const State& state = step.state;
     const coupling::CouplingState& coupling = state.coupling;
-    prediction.way.assign(at(model.bodies.size()), {});
+    Prediction& prediction = step.scratch.prediction;
+    const std::size_t count = at(model.bodies.size());
+    prediction.guess = last_accelerations(coupling);
+    prediction.gained.assign(count, {});
+    prediction.moved.assign(count, {});
+    prediction.way.assign(count, {});
     prediction.catch_up.resize(coupling.missed_way.size());
+    const double dt = step.cycle.dt;
     const double speed = most_catch_up * 0.5 * dt * norm(model.gravity.at(state.time));
     for (std::size_t b = 0; b < prediction.catch_up.size(); ++b) {
         const Vec3 &way = coupling.missed_way[b], &turn = coupling.missed_turn[b];
@@ -96,7 +119,9 @@ void begin_ways(const Model& model, const State& state, double dt, Prediction& p
     }
 }
 
-void note_way(double dt, Prediction& prediction, coupling::CouplingState& coupling) {
+void note_way(StepContext& step, double dt) {
+    Prediction& prediction = step.scratch.prediction;
+    coupling::CouplingState& coupling = step.state.coupling;
     const body::Motion& seen = prediction.middle;
     for (std::size_t b = 0; b < prediction.told.size(); ++b) {
         coupling.untold_way[b] = dt * seen.velocity[b] - prediction.told[b].linear;
@@ -113,9 +138,10 @@ Vec3 turn_between(const body::BodyState& before, const body::BodyState& after, s
     return to_rotation_vector(after.orientation[b] * conjugate(before.orientation[b]));
 }
 
-void note_missed_way(const body::BodyState& before, const Prediction& prediction, State& state) {
-    coupling::CouplingState& coupling = state.coupling;
-    const body::BodyState& after = state.bodies;
+void note_missed_way(StepContext& step) {
+    const Prediction& prediction = step.scratch.prediction;
+    coupling::CouplingState& coupling = step.state.coupling;
+    const body::BodyState &before = step.scratch.before, &after = step.state.bodies;
     for (std::size_t b = 0; b < coupling.missed_way.size(); ++b) {
         const bool is_free = prediction.kinematics.inverse_mass[b] > 0;
         const body::Acceleration& seen = prediction.way[b];
@@ -124,17 +150,11 @@ void note_missed_way(const body::BodyState& before, const Prediction& prediction
     }
 }
 
-std::vector<body::Acceleration> last_accelerations(const coupling::CouplingState& coupling) {
-    std::vector<body::Acceleration> found(coupling.acceleration.size());
-    for (std::size_t b = 0; b < found.size(); ++b) {
-        found[b] = {coupling.acceleration[b], coupling.angular_acceleration[b]};
-    }
-    return found;
-}
-
-body::Acceleration response(const body::BodySet& bodies, const coupling::CouplingState& coupling,
-                            const body::BodyKinematics& kinematics, const body::Loads& loads, std::size_t b) {
-    const body::Locks locks = locks_of(bodies, b);
+body::Acceleration response(const StepContext& step, std::size_t b) {
+    const coupling::CouplingState& coupling = step.state.coupling;
+    const body::BodyKinematics& kinematics = step.scratch.prediction.kinematics;
+    const body::Loads& loads = step.scratch.span_loads;
+    const body::Locks locks = locks_of(step.model.bodies, b);
     return {locks.free_translation(kinematics.inverse_mass[b] * loads.force[b] + coupling.dry_acceleration[b]),
             kinematics.inverse_inertia[b] * loads.torque[b] + coupling.dry_angular_acceleration[b]};
 }

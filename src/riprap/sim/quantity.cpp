@@ -114,7 +114,7 @@ fluid::GaugeReading read_gauge(const Moment& moment, const fluid::Gauge& gauge) 
         gauge.face >= 0 ? &model.output.faces[static_cast<std::size_t>(gauge.face)] : nullptr;
     const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
     return Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) {
-        if ((gauge.kind->needs & ~Fluid::offers) != 0) {
+        if ((gauge.kind->needs & ~Fluid::traits.offers) != 0) {
             return fluid::GaugeReading{std::numeric_limits<double>::quiet_NaN()};
         }
         const auto* const scratch = moment.scratch == nullptr

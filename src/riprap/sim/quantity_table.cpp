@@ -21,6 +21,11 @@ Vec3 scalar(double value) { return {value, 0, 0}; }
 Vec3 position(const Moment& m, BodyId b) { return m.state.bodies.position[index(b)]; }
 Vec3 displacement(const Moment& m, BodyId b) { return position(m, b) - m.initial.bodies.position[index(b)]; }
 Vec3 distance(const Moment& m, BodyId b) { return scalar(norm(displacement(m, b))); }
+/// Distance from the upright axis of the scene, z or in a plane y.
+Vec3 axis_distance(const Moment& m, BodyId b) {
+    const Vec3 x = position(m, b);
+    return scalar(m.model.bodies.is_planar ? std::abs(x.x) : std::hypot(x.x, x.y));
+}
 Vec3 velocity(const Moment& m, BodyId b) { return m.state.bodies.velocity[index(b)]; }
 Vec3 speed(const Moment& m, BodyId b) { return scalar(norm(velocity(m, b))); }
 Vec3 spin(const Moment& m, BodyId b) { return body::angular_velocity(m.model.bodies, m.state.bodies, b); }
@@ -112,12 +117,12 @@ Vec3 max_displacement(const Moment& m) {
 
 /// A load of the water on one body; NaN where there is none yet.
 template <std::vector<Vec3> body::Loads::*member, bool has_pressure, bool has_viscous>
-Vec3 water_load(const Moment& m, BodyId id) {
+Vec3 fluid_load(const Moment& m, BodyId id) {
     constexpr Vec3 unknown{missing, missing, missing};
-    if (m.scratch == nullptr || m.scratch->water_loads().pressure.empty()) {
+    if (m.scratch == nullptr || m.scratch->fluid_loads().pressure.empty()) {
         return unknown;
     }
-    const coupling::FluidLoads& loads = m.scratch->water_loads();
+    const coupling::FluidLoads& loads = m.scratch->fluid_loads();
     Vec3 load{};
     if constexpr (has_pressure) {
         load += (loads.pressure.*member)[index(id)];
@@ -130,11 +135,11 @@ Vec3 water_load(const Moment& m, BodyId id) {
 constexpr auto force = &body::Loads::force, torque = &body::Loads::torque;
 
 template <double FluidLedger::*member>
-Vec3 of_water(const Moment& m) {
+Vec3 of_fluid(const Moment& m) {
     return m.report == nullptr ? scalar(missing) : scalar(m.report->ledger.fluid.*member);
 }
 template <Vec3 FluidLedger::*member>
-Vec3 vector_of_water(const Moment& m) {
+Vec3 vector_of_fluid(const Moment& m) {
     return m.report == nullptr ? Vec3{missing, missing, missing} : m.report->ledger.fluid.*member;
 }
 Vec3 artificial_share(const Moment& m) {
@@ -153,6 +158,9 @@ const std::array body_table{
              nullptr,
              displacement_of_point},
     Quantity{{"distance", "m", 1, true, "length of the displacement"}, distance, nullptr, distance_of_point},
+    Quantity{{"axis_distance", "m", 1, true, "of the centre of mass from the axis x = y = 0, in a plane x = 0"},
+             axis_distance,
+             nullptr},
     Quantity{{"velocity", "m/s", 3, true, "of the centre of mass"}, velocity, nullptr, velocity_of_point},
     Quantity{{"speed", "m/s", 1, true, "length of the velocity"}, speed, nullptr, speed_of_point},
     Quantity{{"angular_velocity", "rad/s", 3, true, "in world axes"}, spin, nullptr},
@@ -166,15 +174,15 @@ const std::array body_table{
     Quantity{{"contact_force_size", "N", 1, true, "length of contact_force"}, contact_force_size, nullptr},
     Quantity{{"contact_torque", "N m", 3, true, "of the contacts about the centre of mass"}, contact_torque, nullptr},
     Quantity{{"fluid_force", "N", 3, true, "of water, in the last step; in a planar scene per metre of width"},
-             water_load<force, true, true>,
+             fluid_load<force, true, true>,
              nullptr},
     Quantity{
-        {"fluid_pressure_force", "N", 3, true, "the part of it by pressure"}, water_load<force, true, false>, nullptr},
+        {"fluid_pressure_force", "N", 3, true, "the part of it by pressure"}, fluid_load<force, true, false>, nullptr},
     Quantity{{"fluid_viscous_force", "N", 3, true, "the part of it by viscosity: 0 but on bodies with slip = false"},
-             water_load<force, false, true>,
+             fluid_load<force, false, true>,
              nullptr},
     Quantity{
-        {"fluid_torque", "N m", 3, true, "of water about the centre of mass"}, water_load<torque, true, true>, nullptr},
+        {"fluid_torque", "N m", 3, true, "of water about the centre of mass"}, fluid_load<torque, true, true>, nullptr},
 };
 
 const std::array scene_table{
@@ -222,25 +230,25 @@ const std::array scene_table{
     Quantity{{"water_mass_out", "kg", 1, false, "of water that left since time 0"}, nullptr, water_mass_out},
     Quantity{{"coupling_gap", "J", 1, false, "what bodies got beyond what water says it gave, since time 0"},
              nullptr,
-             of_water<&FluidLedger::coupling_gap>},
+             of_fluid<&FluidLedger::coupling_gap>},
     Quantity{{"water_energy_residual", "J", 1, false, "what the water's energy does not close by"},
              nullptr,
-             of_water<&FluidLedger::residual>},
-    Quantity{{"water_momentum", "kg m/s", 3, false, "of water"}, nullptr, vector_of_water<&FluidLedger::momentum>},
+             of_fluid<&FluidLedger::residual>},
+    Quantity{{"water_momentum", "kg m/s", 3, false, "of water"}, nullptr, vector_of_fluid<&FluidLedger::momentum>},
     Quantity{{"water_momentum_residual", "kg m/s", 3, false, "what the water's momentum does not close by"},
              nullptr,
-             vector_of_water<&FluidLedger::momentum_residual>},
-    Quantity{{"water_mass", "kg", 1, false, "of water"}, nullptr, of_water<&FluidLedger::mass>},
+             vector_of_fluid<&FluidLedger::momentum_residual>},
+    Quantity{{"water_mass", "kg", 1, false, "of water"}, nullptr, of_fluid<&FluidLedger::mass>},
     Quantity{{"max_water_speed", "m/s", 1, false, "of the fastest particle"},
              nullptr,
-             reported<&StepReport::max_water_speed>},
+             reported<&StepReport::max_fluid_speed>},
     Quantity{{"water_passes", "-", 1, false, "force passes of the step, more than one where light bodies need it"},
              nullptr,
-             reported<&StepReport::water_passes>},
+             reported<&StepReport::fluid_passes>},
     Quantity{{"water_residual", "-", 1, false,
               "of the accelerations of light bodies after the last pass; above 0.01 the passes ran out"},
              nullptr,
-             reported<&StepReport::water_residual>},
+             reported<&StepReport::fluid_residual>},
     Quantity{{"solver_iterations", "-", 1, false, "of the water's pressure equation in the step, all passes"},
              nullptr,
              reported<&StepReport::solver_iterations>},

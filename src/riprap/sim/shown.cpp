@@ -10,47 +10,26 @@ namespace riprap::sim {
 
 namespace {
 
-template <class Method>
-inline constexpr bool shows = requires {
-    Method::shown();
-};
-
-template <class Fluid>
-inline constexpr bool draws_water = requires(coupling::FluidScene scene, typename Fluid::Settings settings,
-                                             typename Fluid::Fields fields) {
-    Fluid::shown(scene, settings, fields);
-};
-
-template <class Method>
-std::span<const ShownField> shown_by() {
-    if constexpr (shows<Method>) {
-        return Method::shown();
-    } else {
-        return {};
-    }
-}
-
 double value_of(const Model& model, const State& state, std::size_t field, std::size_t body) {
     return Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings&) {
-        if constexpr (shows<Solid>) {
-            return Solid::show(state.bodies, Solids::entry<Solid>(state.solid_fields), body, field);
-        } else {
-            return std::numeric_limits<double>::quiet_NaN();
-        }
+        const auto show = Solid::traits.show;
+        return show != nullptr ? show(state.bodies, Solids::entry<Solid>(state.solid_fields), body, field)
+                               : std::numeric_limits<double>::quiet_NaN();
     });
 }
 
 }  // namespace
 
 std::span<const ShownField> shown_fields(const Model& model) {
-    return Solids::visit(model.solid, []<class Solid>(const typename Solid::Settings&) { return shown_by<Solid>(); });
+    return Solids::visit(model.solid,
+                         []<class Solid>(const typename Solid::Settings&) { return Solid::traits.shown(); });
 }
 
 const std::vector<ShownField>& all_shown_fields() {
     static const std::vector<ShownField> all = [] {
         std::vector<ShownField> fields;
         Solids::for_each([&fields]<class Solid>() {
-            for (const ShownField& field : shown_by<Solid>()) {
+            for (const ShownField& field : Solid::traits.shown()) {
                 const auto is_same = [&field](const ShownField& other) { return other.name == field.name; };
                 if (std::none_of(fields.begin(), fields.end(), is_same)) {
                     fields.push_back(field);
@@ -89,21 +68,20 @@ std::vector<contact::ShownContact> shown_contacts(const Model& model, const Stat
     });
 }
 
-bool shows_water(const Model& model) {
-    return Fluids::visit(model.fluid,
-                         []<class Fluid>(const typename Fluid::Settings& /*settings*/) { return draws_water<Fluid>; });
+bool draws_fluid(const Model& model) {
+    return Fluids::visit(model.fluid, []<class Fluid>(const typename Fluid::Settings& /*settings*/) {
+        return Fluid::traits.shown != nullptr;
+    });
 }
 
-std::optional<fluid::grid::ShownWater> show_water(const Model& model, const State& state) {
+std::optional<fluid::ShownWater> shown_fluid(const Model& model, const State& state) {
+    const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
     return Fluids::visit(
-        model.fluid,
-        [&]<class Fluid>(const typename Fluid::Settings& settings) -> std::optional<fluid::grid::ShownWater> {
-            const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
-            if constexpr (draws_water<Fluid>) {
-                return Fluid::shown(scene, settings, std::get<typename Fluid::Fields>(state.fluid_fields));
-            } else {
+        model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) -> std::optional<fluid::ShownWater> {
+            if (Fluid::traits.shown == nullptr) {
                 return std::nullopt;
             }
+            return Fluid::traits.shown(scene, settings, Fluids::entry<Fluid>(state.fluid_fields));
         });
 }
 

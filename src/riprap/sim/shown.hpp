@@ -11,7 +11,7 @@
 
 #include "riprap/contact/shown_contact.hpp"
 #include "riprap/core/shown.hpp"
-#include "riprap/fluid/grid/shown_water.hpp"
+#include "riprap/fluid/shown_water.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/model.hpp"
 #include "riprap/sim/state.hpp"
@@ -35,9 +35,9 @@ double shown_value(const Model& model, const State& state, std::string_view name
 std::vector<contact::ShownContact> shown_contacts(const Model& model, const State& state, const Scratch& scratch);
 
 /// Tells whether the fluid is a field that is drawn.
-bool shows_water(const Model& model);
+bool draws_fluid(const Model& model);
 
-/// Returns the water of a field; nothing where the fluid has none to draw.
-std::optional<fluid::grid::ShownWater> show_water(const Model& model, const State& state);
+/// Returns the fluid as it is drawn, where it is a field; else nothing.
+std::optional<fluid::ShownWater> shown_fluid(const Model& model, const State& state);
 
 }  // namespace riprap::sim

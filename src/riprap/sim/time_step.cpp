@@ -28,8 +28,8 @@ struct Limits {
 };
 
 Limits limits_of(const Model& model, State& state, ScratchData& scratch) {
-    const BoundMethods bound = bind_methods(model, state, scratch);
-    return {bound.solid->limit(), bound.fluid->limit(), bound.fluid->leads()};
+    BoundMethods bound(model, state, scratch);
+    return {bound.solid_limit(), bound.fluid().limit(), bound.fluid_leads()};
 }
 
 Limits limits_of(const Model& model, State& state) {

@@ -29,9 +29,12 @@ double seconds_of_solids(const ScratchData& data) {
 
 }  // namespace
 
-bool go_another_way(const Model& model, const body::BodyState& before, const body::BodyState& after, double dt,
-                    const body::Loads& loads, std::span<const double> feedback, Prediction& prediction,
-                    coupling::CouplingState& coupling) {
+bool go_another_way(StepContext& step, const body::BodyState& after, std::span<const double> feedback) {
+    const Model& model = step.model;
+    const body::BodyState& before = step.state.bodies;
+    Prediction& prediction = step.scratch.prediction;
+    coupling::CouplingState& coupling = step.state.coupling;
+    const double dt = step.cycle.dt;
     const std::vector<double> inertia = mean_inertia(model.bodies);
     const double per_way = 2 / (dt * dt), gravity = norm(model.gravity.value);
     bool is_other = false;
@@ -46,7 +49,7 @@ bool go_another_way(const Model& model, const body::BodyState& before, const bod
         const Vec3 more = per_way * way, faster = per_way * turn;
         body::Acceleration& guess = prediction.guess[b];
         const double arm = std::sqrt(inertia[b] / model.bodies.mass[b]);
-        const body::Acceleration foreseen = response(model.bodies, coupling, prediction.kinematics, loads, b);
+        const body::Acceleration foreseen = response(step, b);
         const Vec3 pushed = more - (foreseen.linear - guess.linear),
                    turned = faster - (foreseen.angular - guess.angular);
         // The accelerations of bodies that are sought with their loads are not exact yet: what contacts add counts.
@@ -60,20 +63,19 @@ bool go_another_way(const Model& model, const body::BodyState& before, const bod
     return is_other;
 }
 
-bool foresee_contacts(const Model& model, State& state, Solid& solids, Fluid& fluid, const Cycle& cycle,
-                      ScratchData& data) {
-    const double seconds = seconds_of_solids(data);
-    Kept kept = keep(state);
+bool foresee_contacts(StepContext& step) {
+    ScratchData& scratch = step.scratch;
+    const double seconds = seconds_of_solids(scratch);
+    Kept kept = keep(step.state);
     bool is_ok = true;
-    for (std::int64_t k = 0; k < cycle.pieces && is_ok; ++k) {
+    for (std::int64_t k = 0; k < step.cycle.pieces && is_ok; ++k) {
         const auto unread = [](const solid::SolidReport&) {};
-        is_ok = move_over(solids, state, cycle.piece(k), data.span_loads, solid::Measure::flow, unread).ok();
+        is_ok = move_over(step, {step.cycle.piece(k), scratch.span_loads, Measure::flow}, unread).ok();
     }
-    const body::BodyState after = std::move(state.bodies);
-    take_back(std::move(kept), state);
-    data.times.water -= seconds_of_solids(data) - seconds;
-    return is_ok && go_another_way(model, state.bodies, after, cycle.dt, data.span_loads, fluid.feedback(),
-                                   data.prediction, state.coupling);
+    const body::BodyState after = std::move(step.state.bodies);
+    take_back(std::move(kept), step.state);
+    scratch.times.fluid -= seconds_of_solids(scratch) - seconds;
+    return is_ok && go_another_way(step, after, step.fluid.feedback());
 }
 
 bool settle_ways(const std::function<bool()>& goes_another_way, const std::function<void()>& find_loads) {

@@ -7,24 +7,19 @@
 #include <functional>
 #include <span>
 
-#include "riprap/sim/bound_methods.hpp"
-#include "riprap/sim/cycle.hpp"
-#include "riprap/sim/scratch_data.hpp"
+#include "riprap/sim/step_context.hpp"
 
 namespace riprap::sim {
 
-/// Leads the accelerations that the fluid is told next along the way on which bodies went from `before` to `after` in a
-/// trial of the step under `loads`. Tells whether contacts made that another way than it was told, by a thousandth of
-/// their acceleration and gravity. @param feedback  of Fluid: the bodies whose accelerations are iterated
-bool go_another_way(const Model& model, const body::BodyState& before, const body::BodyState& after, double dt,
-                    const body::Loads& loads, std::span<const double> feedback, Prediction& prediction,
-                    coupling::CouplingState& coupling);
+/// Leads the accelerations that the fluid is told next along the way on which bodies went from the State to `after` in
+/// a trial of the step. Tells whether contacts made that another way than it was told, by a thousandth of their
+/// acceleration and gravity. @param feedback  of the fluid: the bodies whose accelerations are iterated
+bool go_another_way(StepContext& step, const body::BodyState& after, std::span<const double> feedback);
 
 /// Moves the solids over the step on trial, with the loads found, and takes them back. Tells whether they went another
 /// way than the fluid was told; then the accelerations that it is told next lead there. Its time counts as that of the
-/// solids alone, not as that of the water, in whose stage it lies.
-bool foresee_contacts(const Model& model, State& state, Solid& solids, Fluid& fluid, const Cycle& cycle,
-                      ScratchData& data);
+/// solids alone, not as that of the fluid, in whose stage it lies.
+bool foresee_contacts(StepContext& step);
 
 /// Repeats trials until bodies go the way that the fluid was told, 16 at most, each but the last followed by new loads.
 /// @param goes_another_way  a trial: does the way differ?

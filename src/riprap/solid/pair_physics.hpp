@@ -39,7 +39,7 @@ constexpr bool answers(std::span<const PairOfKinds> pairs, BodyKind a, BodyKind 
 
 /// The physics of contact of a solid method: one line registers a physics. Each is a struct that says between which
 /// `kinds` of bodies it acts and which properties of materials it `reads`, and has the verbs that the step of the
-/// method calls for all of them. A method without such a list meets faces with faces, and has `reads` itself.
+/// method calls for all of them. A method that meets faces with faces by itself lists OwnFaces.
 template <class... Physics>
 struct PairPhysics {
     static constexpr std::array<PairOfKinds, sizeof...(Physics)> kinds{Physics::kinds...};
@@ -62,16 +62,20 @@ struct PairPhysics {
     static_assert(is_once_each(), "two physics for one pair of kinds");
 };
 
-inline constexpr std::array faces_alone{PairOfKinds{BodyKind::faces, BodyKind::faces}};
+/// The physics of a method that meets faces with faces by itself, and has `reads` itself.
+template <class Method>
+struct OwnFaces {
+    static constexpr PairOfKinds kinds{BodyKind::faces, BodyKind::faces};
+    template <class Settings>
+    static std::vector<material::PropertyUse> reads(const Settings& settings) {
+        return Method::reads(settings);
+    }
+};
 
 /// Returns the pairs of kinds for which a solid method has a physics.
 template <class Solid>
 constexpr std::span<const PairOfKinds> pairs_of() {
-    if constexpr (requires { Solid::Physics::kinds; }) {
-        return Solid::Physics::kinds;
-    } else {
-        return faces_alone;
-    }
+    return Solid::Physics::kinds;
 }
 
 /// Properties of materials that the physics of a pair of kinds reads.
@@ -80,15 +84,11 @@ struct PhysicsReads {
     std::vector<material::PropertyUse> uses;
 };
 
-/// Returns what a solid method reads of materials: `reads(settings)` of each of its physics, or of itself.
+/// Returns what a solid method reads of materials: `reads(settings)` of each of its physics.
 template <class Solid>
 std::vector<PhysicsReads> reads_of(const typename Solid::Settings& settings) {
     std::vector<PhysicsReads> all;
-    if constexpr (requires { Solid::Physics::kinds; }) {
-        Solid::Physics::for_each([&]<class Physics>() { all.push_back({Physics::kinds, Physics::reads(settings)}); });
-    } else {
-        all.push_back({faces_alone.front(), Solid::reads(settings)});
-    }
+    Solid::Physics::for_each([&]<class Physics>() { all.push_back({Physics::kinds, Physics::reads(settings)}); });
     return all;
 }
 
@@ -105,16 +105,6 @@ std::vector<LackingProperty> lacking_properties(const SolidScene& scene, std::sp
 
 /// Returns the kind of every body: spheres where the case lists them, else faces.
 std::vector<BodyKind> kinds_by_lists(const SolidScene& scene);
-
-/// Returns `kinds_of(scene, settings)` of the method where it has that function, else kinds_by_lists.
-template <class Solid>
-std::vector<BodyKind> kinds_of(const SolidScene& scene, const typename Solid::Settings& settings) {
-    if constexpr (requires { Solid::kinds_of(scene, settings); }) {
-        return Solid::kinds_of(scene, settings);
-    } else {
-        return kinds_by_lists(scene);
-    }
-}
 
 /// A body whose kind meets another in the scene, one of them able to move, without a physics for that pair.
 struct UnansweredBody {

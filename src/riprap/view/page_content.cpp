@@ -160,7 +160,7 @@ class Packer {
     /// Gravity of every frame, where it is not the same all the time.
     Json gravity_of_frames() const {
         const body::Gravity& gravity = run_.gravity_law;
-        if (gravity.rate == 0 && gravity.ramp == 0) {
+        if (!gravity.turns() && gravity.ramp == 0) {
             return nullptr;
         }
         Json values = Json::array();

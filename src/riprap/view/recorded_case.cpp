@@ -26,6 +26,17 @@ void read_number(const scene::Value& table, const char* key, double& number) {
     }
 }
 
+/// Numbers of a list; none where it is no list.
+std::vector<double> read_numbers(const scene::Value* list) {
+    std::vector<double> numbers;
+    if (list != nullptr && list->is_array()) {
+        for (const scene::Value& item : list->items) {
+            numbers.push_back(item.is_number() ? item.as_number() : 0);
+        }
+    }
+    return numbers;
+}
+
 void read_gravity(const scene::Value* gravity, body::Gravity& law) {
     if (read_vector(gravity, law.value) || gravity == nullptr || !gravity->is_table()) {
         return;
@@ -39,6 +50,9 @@ void read_gravity(const scene::Value* gravity, body::Gravity& law) {
         read_number(*rotation, "rate", law.rate);
         read_number(*rotation, "start", law.start);
         read_number(*rotation, "stop", law.stop);
+        law.times = read_numbers(rotation->find("time"));
+        law.angles = read_numbers(rotation->find("angle"));
+        law.angles.resize(law.times.size());
     }
 }
 

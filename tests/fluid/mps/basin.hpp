@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 
-#include "riprap/fluid/mps/mps_step.hpp"
+#include "riprap/fluid/mps/mps.hpp"
 #include "riprap/fluid/particle/sort.hpp"
 
 namespace riprap::fluid::testing {
@@ -16,11 +19,11 @@ struct Basin {
     ParticleState state;
     BoundaryParticles walls;
     Vec3 gravity{};
-    MpsScratch scratch;
+    std::unique_ptr<Mps> scheme;  ///< of the settings as its first use finds them
 
     double time{0}, last_dt{0};
     std::int64_t step_count{0};
-    MpsReport report;  ///< of the last step
+    FluidReport report;  ///< of the last step
     double viscous{0}, collisions{0}, pressure_loss{0}, work_on_solids{0}, work_external{0};
     double booked_in_step{0};  ///< of these, in the last step: half of it comes after the kick
     Vec3 impulse{};
@@ -30,14 +33,37 @@ struct Basin {
     double closure() const { return stored() + booked() - 0.5 * booked_in_step; }
     double booked() const { return viscous + collisions + pressure_loss + work_on_solids - work_external; }
 
+    Mps& verbs() {
+        if (scheme == nullptr) {
+            scheme = std::make_unique<Mps>(settings);
+        }
+        return *scheme;
+    }
+    FluidTimeStep limit() const { return Mps(settings).limit(state); }
+    void begin_forces(const Vec3& pull, double dt) {
+        verbs().begin_forces(state, walls, {time, dt}, pull, report);
+        EXPECT_EQ(report.problem, "");
+    }
+    /// Solves for the pressure and loads walls.
+    void find_pressure(const Vec3& pull, double dt) {
+        begin_forces(pull, dt);
+        verbs().load_walls(state, walls, pull);
+        EXPECT_TRUE(verbs().solved().is_converged());
+    }
+
     void step(double dt_most = 1e9) {
         if (step_count++ % settings.sort_interval == 0) {
             sort_by_place(state, settings.domain, settings.spacing);
         }
-        const double dt = std::min(choose_fluid_time_step(settings, state).limit, dt_most), before = booked();
+        const double dt = std::min(verbs().limit(state).limit, dt_most), before = booked();
         report = {};
         drift(settings, state, 0.5 * dt);
-        accelerate(settings, state, walls, gravity, dt, time, scratch, report);
+        const TimeSpan span{time, dt};
+        verbs().begin_forces(state, walls, span, gravity, report);
+        if (report.problem.empty()) {
+            verbs().load_walls(state, walls, gravity);
+            verbs().kick(state, walls, gravity, span, {}, report);
+        }
         drift(settings, state, 0.5 * dt);
         viscous += report.dissipated_viscous;
         collisions += report.dissipated_collisions;

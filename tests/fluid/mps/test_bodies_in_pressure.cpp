@@ -4,8 +4,6 @@
 
 #include "fluid/mps/basin.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/mps/bodies_in_pressure.hpp"
-#include "riprap/fluid/mps/mps_scratch.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
@@ -36,10 +34,9 @@ struct Pistons {
         }
         bodies.lightness.assign(2, 1 / mass * Vec3{1, 1, 1});
         bodies.inverse_inertia.assign(2, {0, 0, 200 / mass, 0, 0, 0});
-        dt = choose_fluid_time_step(basin.settings, basin.state).limit;
-        MpsReport report;
+        dt = basin.limit().limit;
         drift(basin.settings, basin.state, 0.5 * dt);
-        begin_forces(basin.settings, basin.state, basin.walls, basin.gravity, dt, 0, basin.scratch, report);
+        basin.begin_forces(basin.gravity, dt);
     }
 
     /// Loads walls that accelerate with their bodies. @returns what the loads give beyond that
@@ -51,9 +48,8 @@ struct Pistons {
                 basin.walls.velocity[w] = 0.5 * dt * basin.walls.acceleration[w];  // at mid-step, from rest
             }
         }
-        MpsReport report;
-        load_walls(basin.settings, basin.state, basin.walls, basin.gravity, dt, 0, basin.scratch, report);
-        EXPECT_EQ(report.problem, "");
+        basin.verbs().load_walls(basin.state, basin.walls, basin.gravity);
+        EXPECT_TRUE(basin.verbs().solved().is_converged());
         std::vector<Twist> missing(2);
         for (std::size_t b = 0; b < 2; ++b) {
             Vec3 force{0, push / bodies.lightness[b].y, 0}, torque{};
@@ -70,7 +66,7 @@ struct Pistons {
     }
     std::vector<Twist> correction(const std::vector<Twist>& missing) {
         std::vector<Twist> change(2);
-        EXPECT_TRUE(mps::correct_bodies(basin.settings, bodies, missing, basin.scratch.data(), change));
+        EXPECT_TRUE(basin.verbs().correct(bodies, missing, change));
         return change;
     }
     void correct(const std::vector<Twist>& missing) {

@@ -7,8 +7,7 @@
 #include <numbers>
 
 #include "fluid/mps/basin.hpp"
-#include "riprap/fluid/mps/mps_scratch.hpp"
-#include "riprap/fluid/particle/mps_lattice.hpp"
+#include "riprap/fluid/mps_operators/mps_lattice.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
@@ -43,9 +42,7 @@ TEST(MpsConstants, water_that_stands_closer_than_it_should_has_the_pressure_gamm
     // Nothing can move apart in a box that repeats: p rho_0 alpha_c/dt^2 = gamma rho_0/dt^2 (n - n_0)/n_0, gamma = 0.01
     Basin basin = box_of_water();
     basin.settings.spacing *= 1.01;
-    begin_forces(basin.settings, basin.state, basin.walls, {}, 1e-3, 0, basin.scratch, basin.report);
-    load_walls(basin.settings, basin.state, basin.walls, {}, 1e-3, 0, basin.scratch, basin.report);
-    ASSERT_EQ(basin.report.problem, "");
+    basin.find_pressure({}, 1e-3);
     // Wendland's kernel over the lattice squeezed by 1.01, the particle itself among it: neighbours at 1, sqrt(2) and 2
     const auto count = [](double reach) {
         double sum = 1;
@@ -56,7 +53,7 @@ TEST(MpsConstants, water_that_stands_closer_than_it_should_has_the_pressure_gamm
     };
     const double excess = count(2.1 * 1.01) / count(2.1) - 1;
     ASSERT_GT(excess, 0.01);
-    EXPECT_NEAR(basin.scratch.data().water.pressure[100], 0.01 / 1e-8 * excess, 0.01 * 0.01 / 1e-8 * excess);
+    EXPECT_NEAR(basin.scheme->pressure()[100], 0.01 / 1e-8 * excess, 0.01 * 0.01 / 1e-8 * excess);
 }
 
 TEST(MpsConstants, the_pressure_of_a_flow_that_draws_together_is_that_of_its_projection) {
@@ -68,14 +65,12 @@ TEST(MpsConstants, the_pressure_of_a_flow_that_draws_together_is_that_of_its_pro
     for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
         basin.state.velocity[i].x = speed * std::sin(wave * basin.state.position[i].x);
     }
-    begin_forces(basin.settings, basin.state, basin.walls, {}, dt, 0, basin.scratch, basin.report);
-    load_walls(basin.settings, basin.state, basin.walls, {}, dt, 0, basin.scratch, basin.report);
-    ASSERT_EQ(basin.report.problem, "");
+    basin.find_pressure({}, dt);
     const double largest = 1000 * speed * wave / dt / (wave * wave + 1000 * basin.settings.compressibility / (dt * dt));
     double mode = 0, square = 0;
     for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
         const double c = std::min(0.0, std::cos(wave * basin.state.position[i].x));  // no tension where it parts
-        mode -= c * basin.scratch.data().water.pressure[i];
+        mode -= c * basin.scheme->pressure()[i];
         square += c * c;
     }
     EXPECT_NEAR(mode / square, largest, 0.1 * largest);
@@ -99,13 +94,11 @@ TEST(MpsConstants,
             }
         }
     }
-    begin_forces(basin.settings, basin.state, basin.walls, {}, dt, 0, basin.scratch, basin.report);
-    load_walls(basin.settings, basin.state, basin.walls, {}, dt, 0, basin.scratch, basin.report);
-    ASSERT_EQ(basin.report.problem, "");
+    basin.find_pressure({}, dt);
     double middle = 0;
     for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
         const Vec3& x = basin.state.position[i];
-        middle = std::abs(x.x) < 1e-6 && x.y < 0.02 ? basin.scratch.data().water.pressure[i] : middle;
+        middle = std::abs(x.x) < 1e-6 && x.y < 0.02 ? basin.scheme->pressure()[i] : middle;
     }
     const auto weight = [](double r) { return r * r / (2.1 * 2.1) * std::pow(1 - r / 2.1, 3); };
     const double above = weight(1) + 2 * weight(std::sqrt(2.0));
@@ -119,7 +112,7 @@ TEST(MpsConstants, two_particles_that_meet_part_with_a_fifth_of_their_approach) 
     basin.settings.kinematic_viscosity = 0;
     basin.add_particle({0, 0, 0}, {1, 0.3, 0});
     basin.add_particle({0.015, 0, 0}, {-0.5, 0.3, 0});
-    begin_forces(basin.settings, basin.state, basin.walls, {}, 1e-5, 0, basin.scratch, basin.report);
+    basin.begin_forces({}, 1e-5);
     EXPECT_NEAR(basin.state.velocity[1].x - basin.state.velocity[0].x, 0.2 * 1.5, 1e-5);
     EXPECT_NEAR(basin.state.velocity[1].x + basin.state.velocity[0].x, 0.5, 1e-6);
 }
@@ -172,7 +165,7 @@ TEST(MpsConstants, in_a_step_viscosity_spreads_over_an_eighth_of_a_spacing_squar
     Basin basin = box_of_water();
     basin.settings.kinematic_viscosity = 1000;
     const double l = basin.settings.spacing;
-    EXPECT_NEAR(1000 * choose_fluid_time_step(basin.settings, basin.state).limit, l * l / 8, 1e-9 * l * l);
+    EXPECT_NEAR(1000 * basin.limit().limit, l * l / 8, 1e-9 * l * l);
 }
 
 /// Whether the particle nearest to a place, in spacings, is one of the surface, among rows 40 wide under y = 0.
@@ -187,8 +180,8 @@ bool is_surface(double squeezed, const std::vector<Vec3>& without, const Vec3& a
             }
         }
     }
-    begin_forces(basin.settings, basin.state, basin.walls, {}, 1e-6, 0, basin.scratch, basin.report);
-    const auto found = surface_particles(basin.scratch);
+    basin.begin_forces({}, 1e-6);
+    const auto found = basin.scheme->surface_particles();
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < basin.state.position.size(); ++i) {
         const Vec3 wanted = 0.02 * squeezed * at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/particle/mps_lattice.hpp"
+#include "riprap/fluid/mps_operators/mps_lattice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "riprap/fluid/particle/mps_weight.hpp"
+#include "riprap/fluid/mps_operators/mps_weight.hpp"
 
 namespace riprap::fluid {
 namespace {

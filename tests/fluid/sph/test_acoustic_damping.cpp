@@ -9,7 +9,6 @@
 #include "fluid/sph/water.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/sph/acoustic_damping.hpp"
-#include "riprap/fluid/sph/sph_scratch.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
@@ -50,7 +49,7 @@ TEST(AcousticDamping, sound_decays_as_bulk_viscosity_says) {
     for (const double damping : {0.25, 1.0}) {
         Water water = periodic_water(spacing, 0.02, c, damping);
         const Rest rest = after_two_periods(water);
-        const double bulk_viscosity = damping * water.scratch.data().water.damped_share[0] * c *
+        const double bulk_viscosity = damping * water.inside().corrections_.damped[0] * c *
                                       water.settings.smoothing_length();  // over rho_0 [m^2/s]
         const double expected = -bulk_viscosity * wave * wave * 2 / c;
         EXPECT_NEAR(std::log(rest.left), expected, 0.03 * std::abs(expected)) << damping;
@@ -130,7 +129,7 @@ TEST(AcousticDamping, neighbours_stand_evenly_inside_a_lattice_and_not_at_its_fa
             }
             water.step();
             const auto share_of = [&](std::size_t i) {
-                const Vec3 gradient = water.scratch.data().continuity.concentration_gradient.vector(i);
+                const Vec3 gradient = water.inside().water_.concentration_gradient.vector(i);
                 return even_share(water.settings.smoothing_length() * norm(gradient));
             };
             const auto middle = static_cast<std::size_t>(water.state.size() / 2), face = middle - 4;  // nine in a row
@@ -150,7 +149,7 @@ TEST(AcousticDamping, is_whole_in_water_whose_particles_stand_a_tenth_of_a_spaci
     }
     water.step();
     int even = 0;
-    const Numbers<3>& gradients = water.scratch.data().continuity.concentration_gradient;
+    const Numbers<3>& gradients = water.inside().water_.concentration_gradient;
     for (std::size_t i = 0; i < gradients.size(); ++i) {
         const Vec3 gradient = gradients.vector(i);
         even += even_share(water.settings.smoothing_length() * norm(gradient)) == 1 ? 1 : 0;
@@ -182,11 +181,11 @@ TEST(AcousticDamping, at_a_crowded_surface_there_is_none_either) {
         return water;
     };
     const Water damped = crowd(1);
-    const WaterFields& fields = damped.scratch.data().water;
+    const Corrections& made = damped.inside().corrections_;
     double corrected = 0, damped_most = 0;
-    for (std::size_t i = 0; i < fields.correction_share.size(); ++i) {
-        corrected = std::max(corrected, fields.correction_share[i]);
-        damped_most = std::max(damped_most, fields.damped_share[i]);
+    for (std::size_t i = 0; i < damped.state.position.size(); ++i) {
+        corrected = std::max(corrected, made.share[i]);
+        damped_most = std::max(damped_most, made.damped[i]);
     }
     EXPECT_GT(corrected, 0.3);  // taken for the inside
     EXPECT_EQ(damped_most, 0);

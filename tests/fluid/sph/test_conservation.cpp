@@ -104,7 +104,7 @@ TEST(Conservation, bits_do_not_depend_on_threads_or_on_buffers_kept) {
         while (water.time < 0.1) {
             water.step();
             if (!keeps_buffers) {
-                water.scratch = SphScratch();
+                water.scheme.reset();
             }
         }
         return hash_fields(water.state);

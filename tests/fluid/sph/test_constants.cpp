@@ -99,7 +99,7 @@ TEST(Constants, density_spreads_as_by_the_diffusivity_delta_h_c) {
     for (std::size_t i = 0; i < water.state.position.size(); ++i) {
         water.state.density[i] = 1000 + mode(water.state.position[i].y);
     }
-    update_density(water.settings, water.state, water.walls, {}, dt, water.scratch, water.report);
+    water.update_density({}, dt);
     const double rate = 0.1 * water.settings.smoothing_length() * 10 * wave * wave;
     double fallen = 0, first = 0;
     for (std::size_t i = 0; i < water.state.position.size(); ++i) {
@@ -114,7 +114,7 @@ TEST(Constants, in_a_step_acceleration_moves_a_particle_a_thirty_second_of_h) {
     // dt = 0.25 sqrt(h/a) [Monaghan1992]: half a dt^2 is h/32
     Water water = box_of_water();
     water.state.max_acceleration = 1e6;  // far above what sound allows
-    const FluidTimeStep step = choose_fluid_time_step(water.settings, water.state);
+    const FluidTimeStep step = water.limit();
     EXPECT_EQ(step.limit, step.force);
     EXPECT_NEAR(0.5 * 1e6 * step.force * step.force, water.settings.smoothing_length() / 32,
                 1e-9 * water.settings.smoothing_length());
@@ -126,7 +126,7 @@ TEST(Constants, in_a_step_viscosity_spreads_over_an_eighth_of_h_squared) {
     water.settings.viscosity.choose<LaminarSps>();
     water.settings.viscosity.get<LaminarSps>().kinematic_viscosity = 100;
     const double h = water.settings.smoothing_length();
-    EXPECT_NEAR(100 * choose_fluid_time_step(water.settings, water.state).limit, h * h / 8, 1e-9 * h * h);
+    EXPECT_NEAR(100 * water.limit().limit, h * h / 8, 1e-9 * h * h);
 }
 
 TEST(Constants, shifting_evens_out_disorder_of_twenty_smoothing_lengths_in_a_unit_of_strain) {

@@ -48,7 +48,7 @@ double largest_error(Water& water, int side, const LinearFlow& flow) {
     const std::vector<double> before = water.state.density;
     const double dt = 1e-3, low = 1.1 * water.settings.support_radius();
     const double high = side * water.settings.spacing * std::pow(denser, -1.0 / water.settings.domain.dimension) - low;
-    update_density(water.settings, water.state, water.walls, {}, dt, water.scratch, water.report);
+    water.update_density({}, dt);
     double error = 0;
     int checked = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
@@ -141,9 +141,9 @@ TEST(GradientCorrection, leaves_the_pressure_force_the_adjoint_of_the_rate_of_de
         const double dt = 1e-6;  // forces see volumes this much later
         const std::vector<double> rho = water.state.density;
         const std::vector<Vec3> v = water.state.velocity;
-        update_density(water.settings, water.state, water.walls, {}, dt, water.scratch, water.report);
+        water.update_density({}, dt);
         const std::vector<double> later = water.state.density;
-        accelerate(water.settings, water.state, water.walls, {}, dt, 0, water.scratch, water.report);
+        water.accelerate({}, dt);
         double force = 0, compression = 0, size = 0;
         for (std::size_t i = 0; i < v.size(); ++i) {
             const double m = water.settings.particle_mass, rate = (later[i] / rho[i] - 1) / dt;

@@ -4,11 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 
 #include "riprap/fluid/particle/state_equation.hpp"
-#include "riprap/fluid/sph/sph_step.hpp"
+#include "riprap/fluid/sph/delta_sph.hpp"
 
 namespace riprap::fluid::testing {
+
+/// delta_sph with its buffers open.
+struct OpenDeltaSph : DeltaSph<WaterInPlace> {
+    using DeltaSph::corrections_;
+    using DeltaSph::DeltaSph;
+    using DeltaSph::water_;
+};
 
 /// A body of water with its walls and what its ledger added up.
 struct Water {
@@ -16,7 +24,7 @@ struct Water {
     ParticleState state;
     BoundaryParticles walls;
     Vec3 gravity{};
-    SphScratch scratch;
+    std::unique_ptr<ParticleScheme> scheme;  ///< of the settings as its first use finds them
 
     double time{0}, last_dt{0};
     FluidReport report;  ///< of the last step
@@ -34,18 +42,39 @@ struct Water {
                work_external;
     }
 
+    ParticleScheme& verbs() {
+        if (scheme == nullptr) {
+            scheme =
+                settings.scheme == SphScheme::muller ? make_scheme(settings) : std::make_unique<OpenDeltaSph>(settings);
+        }
+        return *scheme;
+    }
+    /// What delta_sph found last.
+    const OpenDeltaSph& inside() const { return dynamic_cast<const OpenDeltaSph&>(*scheme); }
+    FluidTimeStep limit() const { return make_scheme(settings)->limit(state); }
+    void update_density(const Vec3& pull, double dt) { verbs().update_density(state, walls, pull, dt, report); }
+    /// Finds forces and kicks, with walls that move as they do.
+    void accelerate(const Vec3& pull, double dt) {
+        const TimeSpan span{time, dt};
+        verbs().begin_forces(state, walls, span, pull, report);
+        if (report.problem.empty()) {
+            verbs().load_walls(state, walls, pull);
+            verbs().kick(state, walls, pull, span, {}, report);
+        }
+    }
+
     void step(double dt_most = 1e9) {
-        const double dt = std::min(choose_fluid_time_step(settings, state).limit, dt_most);
+        const double dt = std::min(verbs().limit(state).limit, dt_most);
         report = {};
         if (move_walls) {
             move_walls(walls, time);
         }
-        update_density(settings, state, walls, gravity, 0.5 * (last_dt + dt), scratch, report);
+        update_density(gravity, 0.5 * (last_dt + dt));
         drift(settings, state, 0.5 * dt);
         if (move_walls) {
             move_walls(walls, time + 0.5 * dt);
         }
-        accelerate(settings, state, walls, gravity, dt, time, scratch, report);
+        accelerate(gravity, dt);
         drift(settings, state, 0.5 * dt);
         dissipated_viscous += report.dissipated_viscous;
         dissipated_diffusion += report.dissipated_diffusion;

@@ -4,11 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 
 #include "riprap/fluid/particle/sort.hpp"
-#include "riprap/fluid/wcmps/wcmps_step.hpp"
+#include "riprap/fluid/wcmps/wcmps.hpp"
 
 namespace riprap::fluid::testing {
+
+/// Weakly compressible MPS with its buffers and collisions open.
+struct OpenWcmps : Wcmps {
+    using Wcmps::collisions_;
+    using Wcmps::continuity_;
+    using Wcmps::find_collisions;
+    using Wcmps::lists_;
+    using Wcmps::surface_;
+    using Wcmps::Wcmps;
+};
 
 /// Water by weakly compressible MPS with its walls and what its ledger added up.
 struct Pool {
@@ -16,11 +27,11 @@ struct Pool {
     ParticleState state;
     BoundaryParticles walls;
     Vec3 gravity{};
-    WcmpsScratch scratch;
+    std::unique_ptr<OpenWcmps> scheme;  ///< of the settings as its first use finds them
 
     double time{0}, last_dt{0};
     std::int64_t step_count{0};
-    WcmpsReport report;  ///< of the last step
+    FluidReport report;  ///< of the last step
     double viscous{0}, diffusion{0}, collisions{0}, shifted{0}, work_on_solids{0}, wall_exchange{0}, work_external{0};
     Vec3 impulse{};
 
@@ -30,15 +41,33 @@ struct Pool {
         return stored() + viscous + diffusion + collisions + shifted + work_on_solids + wall_exchange - work_external;
     }
 
+    OpenWcmps& verbs() {
+        if (scheme == nullptr) {
+            scheme = std::make_unique<OpenWcmps>(settings);
+        }
+        return *scheme;
+    }
+    FluidTimeStep limit() const { return make_scheme(settings)->limit(state); }
+    void update_density(const Vec3& pull, double dt) { verbs().update_density(state, walls, pull, dt, report); }
+    /// Finds forces and kicks, with walls that move as they do.
+    void accelerate(const Vec3& pull, double dt) {
+        const TimeSpan span{time, dt};
+        verbs().begin_forces(state, walls, span, pull, report);
+        if (report.problem.empty()) {
+            verbs().load_walls(state, walls, pull);
+            verbs().kick(state, walls, pull, span, {}, report);
+        }
+    }
+
     void step(double dt_most = 1e9) {
         if (step_count++ % settings.sort_interval == 0) {
             sort_by_place(state, settings.domain, settings.spacing);
         }
-        const double dt = std::min(choose_fluid_time_step(settings, state).limit, dt_most);
+        const double dt = std::min(verbs().limit(state).limit, dt_most);
         report = {};
-        update_density(settings, state, walls, gravity, 0.5 * (last_dt + dt), scratch, report);
+        update_density(gravity, 0.5 * (last_dt + dt));
         drift(settings, state, 0.5 * dt);
-        accelerate(settings, state, walls, gravity, dt, time, scratch, report);
+        accelerate(gravity, dt);
         drift(settings, state, 0.5 * dt);
         viscous += report.dissipated_viscous + report.earlier_heat;
         diffusion += report.dissipated_diffusion;

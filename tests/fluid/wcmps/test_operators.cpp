@@ -5,7 +5,7 @@
 
 #include "riprap/core/fields.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/wcmps/pair_sums.hpp"
+#include "riprap/fluid/mps_operators/collision.hpp"
 
 #include "fluid/wcmps/pool.hpp"
 
@@ -53,7 +53,7 @@ TEST_P(WcmpsDimensions, continuity_has_the_exact_divergence_of_a_linear_flow_on_
             }
         }
     }
-    update_density(pool.settings, pool.state, pool.walls, {}, 1e-3, pool.scratch, pool.report);
+    pool.update_density({}, 1e-3);
     const double divergence = dimension == 3 ? 2.5 : 1.5;
     EXPECT_NEAR(pool.state.density[middle], 1000 * (1 - 1e-3 * divergence), 1e-4);
 }
@@ -73,8 +73,8 @@ TEST_P(WcmpsDimensions, forces_in_a_linear_pressure_are_its_gradient_on_the_latt
             }
         }
     }
-    update_density(pool.settings, pool.state, pool.walls, {}, 0, pool.scratch, pool.report);
-    accelerate(pool.settings, pool.state, pool.walls, {}, 1, 0, pool.scratch, pool.report);
+    pool.update_density({}, 0);
+    pool.accelerate({}, 1);
     const Vec3 v = pool.state.velocity[middle];
     EXPECT_NEAR(v.x, -0.3, 3e-4);
     EXPECT_NEAR(v.y, 0.2, 3e-4);
@@ -161,7 +161,7 @@ TEST(Wcmps, steps_with_the_same_bits_when_its_scratch_is_lost_between_them) {
     Pool kept = periodic_box(2, 40, 0.2), dropped = periodic_box(2, 40, 0.2);
     for (int k = 0; k < 6; ++k) {
         kept.step();
-        dropped.scratch = WcmpsScratch();
+        dropped.scheme.reset();
         dropped.step();
     }
     EXPECT_EQ(hash_fields(kept.state), hash_fields(dropped.state));
@@ -181,7 +181,7 @@ TEST(Wcmps, state_equation_and_its_inverse_cancel_and_energy_is_the_integral_of_
 
 /// Two particles with nobody around, as class F alone collides: called directly.
 TEST(WcmpsCollision, a_pair_keeps_its_momentum_and_parts_with_the_share_of_its_approach) {
-    const wcmps::MpsCollision pair{0.9 * 0.9, 1e-8};
+    const MpsCollision pair{0.9 * 0.9, 1e-8};
     const double share = 0.5 * (1 + 0.5);
     const double a[4] = {1, 0.3, 0, share}, b[4] = {-0.5, 0.1, 0, share}, d[3] = {-0.8, 0, 0};
     double change_a[3]{}, change_b[3]{};

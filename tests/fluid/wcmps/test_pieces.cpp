@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
-#include "riprap/fluid/particle/mps_weight.hpp"
-#include "riprap/fluid/wcmps/pair_sums.hpp"
-#include "riprap/fluid/wcmps/wcmps_step.hpp"
+#include "riprap/fluid/mps_operators/collision.hpp"
+#include "riprap/fluid/mps_operators/mps_weight.hpp"
+#include "riprap/fluid/wcmps/wcmps.hpp"
 
 namespace riprap {
 namespace {
@@ -97,11 +97,13 @@ double momentum_gap(int dimension) {
         }
     }
     fluid::BoundaryParticles none;
-    fluid::WcmpsScratch scratch;
+    fluid::Wcmps scheme(settings);
     fluid::FluidReport report;
-    const double dt = fluid::choose_fluid_time_step(settings, state).limit;
-    fluid::update_density(settings, state, none, {}, dt, scratch, report);
-    fluid::accelerate(settings, state, none, {}, dt, 0, scratch, report);
+    const TimeSpan span{0, scheme.limit(state).limit};
+    scheme.update_density(state, none, {}, span.dt, report);
+    scheme.begin_forces(state, none, span, {}, report);
+    scheme.load_walls(state, none, {});
+    scheme.kick(state, none, {}, span, {}, report);
     Vec3 sum{};
     double moved = 0;
     for (const Vec3& v : state.velocity) {
@@ -126,7 +128,7 @@ TEST(WcmpsPieces, TheEquationOfStateAndItsInverseAgree) {
 // A pair alone, as two particles of the surface meet: on its way at 1.5 m/s, ratio 0.5.
 TEST(WcmpsPieces, ACollidingPairKeepsItsMomentumAndPartsByItsRatio) {
     const fluid::WcmpsSettings settings = settings_of(2);
-    const fluid::wcmps::MpsCollision pair{0.9 * 0.9, 1e-8};
+    const fluid::MpsCollision pair{0.9 * 0.9, 1e-8};
     const double share = 0.5 * (1 + settings.collision_ratio);
     const double a[4] = {1, 0.3, 0, share}, b[4] = {-0.5, 0.1, 0, share}, d[3] = {-0.8, 0, 0};
     double change_a[3]{}, change_b[3]{};

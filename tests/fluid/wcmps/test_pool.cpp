@@ -4,7 +4,6 @@
 #include "fluid/sph/water.hpp"
 #include "fluid/wcmps/pool.hpp"
 #include "riprap/fluid/gauge/gauge_kinds.hpp"
-#include "riprap/fluid/wcmps/wcmps_scratch.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
@@ -54,7 +53,7 @@ TEST(WcmpsPool, still_water_has_its_surface_in_the_top_row_and_the_next_two_near
     Pool pool = still_pool(2, 12, 0.5);
     pool.step();
     const double dp = pool.settings.spacing;
-    const auto classes = surface_classes(pool.scratch);
+    const auto classes = pool.scheme->surface_classes();
     for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
         const auto rows_below = std::lround((0.5 - pool.state.position[i].y) / dp - 0.5);
         const SurfaceClass expected = rows_below == 0   ? SurfaceClass::surface
@@ -179,16 +178,13 @@ TEST(WcmpsPool, a_layer_dragged_along_a_wall_loses_what_viscosity_takes) {
     EXPECT_NEAR(sheared, expected, 0.1 * expected);
 }
 
-/// Two loads on one box over the weight of its water.
-struct Lifts {
-    Vec3 pair_sum, pressure_area;
-};
-
-/// A fixed box of wall particles, a third of a still pool wide, in the middle of it; means over half a second.
-Lifts lifts_of_submerged_box(long side) {
+/// A fixed box of wall particles, a third of a still pool wide, in the middle of it: its load over the weight of its
+/// water, the mean over half a second.
+Vec3 lift_of_submerged_box(long side, WallLoads loads) {
     const double depth = 0.5, g = 9.81, dp = depth / static_cast<double>(3 * side);
     Pool pool;
     pool.settings = wcmps_settings(2, dp, 10 * std::sqrt(2 * g * depth));
+    pool.settings.wall_loads = loads;
     pool.gravity = {0, -g, 0};
     const auto is_box = [=](long i, long j) { return i >= side && i < 2 * side && j >= side && j < 2 * side; };
     add_tank(
@@ -208,35 +204,28 @@ Lifts lifts_of_submerged_box(long side) {
             pool.walls.outward_area.push_back(dp * Vec3{nx, ny, 0});
         }
     }
-    WcmpsSettings by_area = pool.settings;
-    by_area.wall_loads = WallLoads::pressure_area;
-    BoundaryParticles also = pool.walls;
     pool.run_until(0.6);
-    Lifts lifts{};
+    Vec3 lift{};
     double seconds = 0;
     while (pool.time < 1.1 && pool.report.problem.empty()) {
         pool.step();
-        pool.scratch.data().lists.place({by_area.support_radius(), by_area.domain}, pool.state.position, also.position);
-        load_walls(by_area, pool.state, also, pool.gravity, pool.scratch);
         for (std::size_t w = first; w < pool.walls.position.size(); ++w) {
-            lifts.pair_sum += pool.last_dt * pool.walls.pressure_force[w];
-            lifts.pressure_area += pool.last_dt * also.pressure_force[w];
+            lift += pool.last_dt * pool.walls.pressure_force[w];
         }
         seconds += pool.last_dt;
     }
     EXPECT_EQ(pool.report.problem, "");
-    const double weight = 1000 * g * static_cast<double>(side * side) * dp * dp;
-    return {lifts.pair_sum / (seconds * weight), lifts.pressure_area / (seconds * weight)};
+    return lift / (seconds * 1000 * g * static_cast<double>(side * side) * dp * dp);
 }
 
 // Pressures of the source's load are those half a spacing below both faces: seven of eight spacings of height
 // [Mellado2021, eq. 5.45]. Rows of wall particles carry some of the weight beside them, 2 % here, 0.4 % with twice as
 // many.
 TEST(WcmpsPool, a_submerged_box_is_lifted_by_the_weight_of_its_water_and_by_less_from_pressure_times_area) {
-    const Lifts lifts = lifts_of_submerged_box(8);
-    EXPECT_NEAR(lifts.pair_sum.y, 1, 0.03);
-    EXPECT_NEAR(lifts.pair_sum.x, 0, 0.03);
-    EXPECT_NEAR(lifts.pressure_area.y, 7.0 / 8, 0.04);
+    const Vec3 by_pairs = lift_of_submerged_box(8, WallLoads::pair_sum);
+    EXPECT_NEAR(by_pairs.y, 1, 0.03);
+    EXPECT_NEAR(by_pairs.x, 0, 0.03);
+    EXPECT_NEAR(lift_of_submerged_box(8, WallLoads::pressure_area).y, 7.0 / 8, 0.04);
 }
 
 }  // namespace

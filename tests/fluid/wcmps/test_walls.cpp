@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "fluid/wcmps/pool.hpp"
-#include "riprap/fluid/wcmps/wcmps_scratch.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
@@ -40,11 +39,11 @@ double opening_of_row(const std::function<Vec3(const Vec3&)>& velocity, int row,
         velocity, [](double) { return 0.0; }, false);
     pool.settings.wall_pressure = walls;
     constexpr double dt = 1e-9;  // the return to the density of places has no time
-    update_density(pool.settings, pool.state, pool.walls, {}, dt, pool.scratch, pool.report);
+    pool.update_density({}, dt);
     for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
         const Vec3& x = pool.state.position[i];
         if (std::abs(x.x - 0.5 * spacing) < 1e-6 && std::abs(x.y - (row + 0.5) * spacing) < 1e-6) {
-            return pool.settings.lattice().first_order() * pool.scratch.data().continuity.rate[i];
+            return pool.settings.lattice().first_order() * pool.scheme->continuity_.rate[i];
         }
     }
     return std::nan("");
@@ -107,9 +106,9 @@ Rates rates_beside(bool has_wall_across, bool knows_normals, const Vec3& along_w
             }
         }
     }
-    update_density(pool.settings, pool.state, pool.walls, {}, 1e-9, pool.scratch, pool.report);
+    pool.update_density({}, 1e-9);
     Rates found;
-    for (const double rate : pool.scratch.data().continuity.rate) {
+    for (const double rate : pool.scheme->continuity_.rate) {
         const double opening = pool.settings.lattice().first_order() * rate;
         found.largest = std::max(found.largest, std::abs(opening));
         found.sum += opening;

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "fluid/wcmps/pool.hpp"
-#include "riprap/fluid/wcmps/surface.hpp"
+#include "riprap/fluid/particle/pair_sums.hpp"
 
 namespace riprap::fluid::testing {
 namespace {
@@ -49,7 +49,7 @@ TEST(WcmpsConstants, density_spreads_as_by_the_diffusivity_delta_l_c_courant) {
     for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
         pool.state.density[i] = 1000 + mode(pool.state.position[i]);
     }
-    update_density(pool.settings, pool.state, pool.walls, {}, dt, pool.scratch, pool.report);
+    pool.update_density({}, dt);
     double fallen = 0, first = 0;
     for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
         const double start = mode(pool.state.position[i]);
@@ -108,8 +108,8 @@ TEST(WcmpsConstants, sound_is_damped_from_the_third_row_under_a_surface_on_and_b
                 }
             }
         }
-        update_density(pool.settings, pool.state, pool.walls, {}, 1e-9, pool.scratch, pool.report);
-        const WcmpsContinuity& found = pool.scratch.data().continuity;
+        pool.update_density({}, 1e-9);
+        const WcmpsContinuity& found = pool.scheme->continuity_;
         std::vector<double> shares;
         for (std::size_t row = 0; row < 6; ++row) {
             shares.push_back(found.damped[row] / (-pool.settings.lattice().first_order() * found.rate[row]));
@@ -129,11 +129,11 @@ TEST(WcmpsConstants, in_a_step_acceleration_moves_a_particle_a_thirty_second_of_
     Pool pool = box_of_water();
     const double l = pool.settings.spacing;
     pool.state.max_acceleration = 1e6;  // far above what sound allows
-    FluidTimeStep step = choose_fluid_time_step(pool.settings, pool.state);
+    FluidTimeStep step = pool.limit();
     EXPECT_EQ(step.limit, step.force);
     EXPECT_NEAR(0.5 * 1e6 * step.limit * step.limit, l / 32, 1e-9 * l);
     pool.settings.kinematic_viscosity = 1000;
-    step = choose_fluid_time_step(pool.settings, pool.state);
+    step = pool.limit();
     EXPECT_EQ(step.limit, step.viscous);
     EXPECT_NEAR(1000 * step.limit, l * l / 8, 1e-9 * l * l);
 }
@@ -168,7 +168,7 @@ TEST(WcmpsConstants, density_returns_to_that_of_places_as_fast_as_neighbours_pas
         pool.state.density[i] = 1000 * (1 + rise);
     }
     const std::vector<double> stir = stir_of(pool);
-    update_density(pool.settings, pool.state, pool.walls, {}, dt, pool.scratch, pool.report);
+    pool.update_density({}, dt);
     double fallen = 0, expected = 0;
     for (std::size_t i = 0; i < stir.size(); ++i) {
         fallen += 1 + rise - pool.state.density[i] / 1000;
@@ -237,18 +237,17 @@ TEST(WcmpsConstants, two_particles_of_the_surface_that_meet_part_with_half_of_th
     pool.settings = wcmps_settings(2, 0.02, 20);
     pool.add_particle({0, 0, 0}, {1, 0.3, 0});
     pool.add_particle({0.016, 0, 0}, {-0.5, 0.1, 0});
-    WcmpsScratchData& s = pool.scratch.data();
-    s.surface.classes = {SurfaceClass::surface, SurfaceClass::near};
-    const auto place = [&] {
-        s.lists.place({pool.settings.support_radius(), pool.settings.domain}, pool.state.position, {});
-    };
+    OpenWcmps& scheme = pool.verbs();
+    scheme.surface_.classes = {SurfaceClass::surface, SurfaceClass::near};
+    const auto place = [&] { scheme.lists_.place(reach_of(pool.settings), pool.state.position, {}); };
     place();
-    ASSERT_TRUE(wcmps::find_collisions(pool.settings, pool.state, s));
-    EXPECT_NEAR(1 + s.collisions.change[0].x, -0.5 + s.collisions.change[1].x - 0.5 * 1.5, 1e-5);
-    EXPECT_NEAR(s.collisions.change[0].x + s.collisions.change[1].x, 0, 1e-6);
+    ASSERT_TRUE(scheme.find_collisions(pool.state));
+    const std::vector<Vec3>& change = scheme.collisions_.change;
+    EXPECT_NEAR(1 + change[0].x, -0.5 + change[1].x - 0.5 * 1.5, 1e-5);
+    EXPECT_NEAR(change[0].x + change[1].x, 0, 1e-6);
     pool.state.position[1].x = 0.0185;  // farther than 0.9 spacings
     place();
-    EXPECT_FALSE(wcmps::find_collisions(pool.settings, pool.state, s));
+    EXPECT_FALSE(scheme.find_collisions(pool.state));
 }
 
 /// Rows of water 40 wide, the highest at y = 0, `squeezed` spacings apart.
@@ -284,7 +283,7 @@ TEST(WcmpsConstants, a_particle_that_falls_on_the_surface_loses_in_collisions_wh
 /// The particle nearest to a place given in spacings.
 SurfaceClass class_at(Pool& pool, double x, double y) {
     pool.step(1e-9);
-    const auto classes = surface_classes(pool.scratch);
+    const auto classes = pool.scheme->surface_classes();
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < pool.state.position.size(); ++i) {
         const Vec3 wanted{0.02 * x, 0.02 * y, 0};

@@ -359,24 +359,24 @@ Outcome GridFluid::kick(const TimeSpan& span, FluidStep& report) {
     }
     const Vec3 momentum = momentum_of(settings, water, s);
     after.potential += settings_->is_carried ? 0 : lag_of(settings, momentum, span.dt, water.time);
-    fluid::FluidReport& fluid = report.fluid;
-    fluid.kinetic = 0.5 * (before.kinetic + after.kinetic);
-    fluid.potential = 0.5 * (before.potential + after.potential);
-    fluid.work_on_solids = span.dt * scratch_->power;
+    fluid::FluidBalance& balance = report.balance;
+    balance.kinetic = 0.5 * (before.kinetic + after.kinetic);
+    balance.potential = 0.5 * (before.potential + after.potential);
+    balance.work_on_solids = span.dt * scratch_->power;
     // what bodies get of water that does not feel them comes from outside
-    fluid.work_external = through + (settings_->coupling == GridCoupling::one_way ? fluid.work_on_solids : 0);
+    balance.work_external = through + (settings_->coupling == GridCoupling::one_way ? balance.work_on_solids : 0);
     if (settings_->is_carried) {  // by what the case does not say
-        fluid.work_external = (after.kinetic + after.potential) - (before.kinetic + before.potential);
+        balance.work_external = (after.kinetic + after.potential) - (before.kinetic + before.potential);
     }
-    report.own = {(before.kinetic + before.potential) - (after.kinetic + after.potential) - fluid.work_on_solids +
-                  fluid.work_external};
-    fluid.momentum = momentum;
-    fluid.impulse = momentum - scratch_->momentum_before;
-    fluid.mass = settings.water.density * water_volume(settings, water, s);
-    fluid.max_speed = fastest_water(settings, water, s);
-    fluid.solver_iterations = scratch_->iterations;
-    fluid.solver_residual = scratch_->solve.residual;
-    if (!std::isfinite(after.kinetic + fluid.max_speed)) {
+    report.own = {(before.kinetic + before.potential) - (after.kinetic + after.potential) - balance.work_on_solids +
+                  balance.work_external};
+    balance.momentum = momentum;
+    balance.impulse = momentum - scratch_->momentum_before;
+    balance.mass = settings.water.density * water_volume(settings, water, s);
+    balance.max_speed = fastest_water(settings, water, s);
+    balance.solver_iterations = scratch_->iterations;
+    balance.solver_residual = scratch_->solve.residual;
+    if (!std::isfinite(after.kinetic + balance.max_speed)) {
         return {fmt::format("the water has no finite speed any more at t = {:.6g} s", span.end()), 0.5};
     }
     return {};

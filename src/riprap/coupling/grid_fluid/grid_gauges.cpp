@@ -358,7 +358,7 @@ fluid::GaugeReading GridFluid::read(const GaugeQuery<GridFluid>& query) {
     return query.gauge.kind->read(query.gauge, reader);
 }
 
-fluid::grid::ShownWater GridFluid::shown(const FluidScene& scene, const Settings& settings, const Fields& fields) {
+fluid::ShownWater GridFluid::shown(const FluidScene& scene, const Settings& settings, const Fields& fields) {
     const fluid::grid::OpenShares open =
         scene.bodies.size() > 0 ? cut_again(scene, settings, fields).open : fluid::grid::OpenShares{};
     return show_water(settings.grid, fields.water, open);

@@ -39,10 +39,6 @@ std::vector<KeyProblem> add_sides(GridFluidSettings& settings);
 /// Sides that waves come in through and go out. Returns waves that no theory has or that the cells do not resolve.
 std::vector<KeyProblem> add_waves(GridFluidSettings& settings);
 
-/// Returns the waves that each side which lets waves out absorbs: "the high side of x absorbs waves of kd below 0.314:
-/// longer than 120 m, of periods above 15.8 s, in 6 m of water".
-std::vector<std::string> absorbed_ranges(const GridFluidSettings& settings);
-
 /// Sides that water enters and leaves through. Returns those that lie elsewhere, or that waves have already.
 std::vector<KeyProblem> add_openings(GridFluidSettings& settings);
 

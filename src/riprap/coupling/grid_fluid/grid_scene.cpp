@@ -83,6 +83,16 @@ std::string_view entry_key(std::string_view list, std::size_t entry) {
     return *keys.insert(fmt::format("{}[{}]", list, entry)).first;
 }
 
+std::string cells_text(const GridFluidSettings& settings) {
+    const fluid::grid::Mesh& mesh = settings.grid.mesh;
+    if (mesh.edge[0].empty()) {
+        return {};
+    }
+    const auto& cells = mesh.box.cells;
+    return fmt::format("{} x {}{} cells, the narrowest {:.4g} m wide", cells[0], cells[1],
+                       mesh.box.axes == 3 ? fmt::format(" x {}", cells[2]) : "", mesh.smallest_width());
+}
+
 std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     std::vector<KeyProblem> problems;
     scene = given;
@@ -119,7 +129,7 @@ std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     grid.water = {rest_density, kinematic_viscosity};
     grid.air = {air_density, air_viscosity};
     grid.gravity = scene.gravity.at(0);
-    if (scene.gravity.ramp > 0 || scene.gravity.rate != 0) {
+    if (scene.gravity.ramp > 0 || scene.gravity.turns()) {
         grid.frame_acceleration = [gravity = scene.gravity, at_start = grid.gravity](double time) {
             return gravity.at(time) - at_start;
         };

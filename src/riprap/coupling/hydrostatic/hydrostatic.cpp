@@ -196,8 +196,8 @@ void HydrostaticFluid::load(const TimeSpan& span, const body::Motion& middle, Fl
 }
 
 Outcome HydrostaticFluid::kick(const TimeSpan& span, FluidStep& report) {
-    report.fluid.work_on_solids = span.dt * scratch_->power;
-    report.fluid.work_external = report.fluid.work_on_solids;  // the work that keeps the level
+    report.balance.work_on_solids = span.dt * scratch_->power;
+    report.balance.work_external = report.balance.work_on_solids;  // the work that keeps the level
     return {};
 }
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "riprap/core/fields.hpp"
-#include "riprap/coupling/fluid_report.hpp"
+#include "riprap/coupling/fluid_method.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/fluid_traits.hpp"
 #include "riprap/coupling/gauge_query.hpp"
 #include "riprap/coupling/hydrostatic/settings.hpp"
-#include "riprap/coupling/samples/rigid_map.hpp"
 
 namespace riprap::coupling {
 
@@ -22,7 +22,7 @@ namespace riprap::coupling {
 /// -(int p r dA) x n, pull -sym(n (int p r dA)^T), r from the centre of mass. So a body under water is lighter
 /// by the weight of its volume of water, to round-off, and a floating body finds its draft. It has no inertia: no added
 /// mass, no waves, no damping; its work on bodies is booked as external.
-class HydrostaticFluid {
+class HydrostaticFluid final : public FluidMethod {
  public:
     using Settings = HydrostaticSettings;
     using Fields = NoFields;
@@ -38,25 +38,19 @@ class HydrostaticFluid {
         bool is_made{false};
         std::size_t bytes() const { return panels.size() * (sizeof(Panel) + 4 * sizeof(Vec3)); }
     };
-    static constexpr bool is_there = true;
-    static constexpr bool leads = false;
+    /// Gauges read what means something in still water.
+    static constexpr FluidTraits<Settings> traits{
+        .leads = false, .offers = fluid::reading::pressure | fluid::reading::velocity | fluid::reading::level};
 
     HydrostaticFluid(const FluidScene& scene, const Settings& settings, const FluidState& state, Fields& fields,
                      Scratch& scratch);
 
-    StepLimit limit() const { return {}; }
-    void tidy(std::int64_t /*step*/) {}
-    void drive(const TimeSpan& /*span*/, std::vector<Vec3>& correction) { correction.clear(); }
     Outcome begin(const TimeSpan& /*span*/, const body::Motion& /*now*/, const body::Motion& /*middle*/,
-                  FluidStep& /*report*/) {
+                  FluidStep& /*report*/) override {
         return {};
     }
-    void load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads);
-    Outcome kick(const TimeSpan& span, FluidStep& report);
-    Outcome end(const TimeSpan& /*span*/, FluidStep& /*report*/) { return {}; }
-    std::span<const double> feedback() const { return {}; }
-    /// Readings of gauges that mean something in still water.
-    static constexpr unsigned offers = fluid::reading::pressure | fluid::reading::velocity | fluid::reading::level;
+    void load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads) override;
+    Outcome kick(const TimeSpan& span, FluidStep& report) override;
     static fluid::GaugeReading read(const GaugeQuery<HydrostaticFluid>& query);
 
  private:

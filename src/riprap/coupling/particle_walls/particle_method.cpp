@@ -40,6 +40,14 @@ void begin_particles(const ParticleFluid& water, std::int64_t first, fluid::Part
 
 }  // namespace
 
+bool ParticleMethod::books_every_step(const Settings& water) {
+    return std::visit(
+        []<class Scheme>(const Scheme& /*scheme*/) {
+            return requires { requires Scheme::books_every_step; };
+        },
+        water.scheme);
+}
+
 void ParticleMethod::start() {
     start_openings(water_->open, water_->settings(), state_.particles, state_.open);
     begin_particles(*water_, 0, state_.particles);
@@ -80,24 +88,24 @@ void meet(const body::Motion& motion, ParticleScratch& scratch) {
 }  // namespace
 
 Outcome ParticleMethod::begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle,
-                              FluidStep& report) {
+                              FluidStep& /*report*/) {
     ParticleScratch& scratch = *scratch_;
+    found_ = {};
     const double since_density = 0.5 * (state_.coupling.previous_dt + span.dt);  // the first density is half a step old
     meet(now, scratch);
     find_near_samples(*scene_, *water_, state_, span.dt, scratch);
     place_walls(*scene_, *water_, state_.open, span.time, 0, scratch);
     scratch.scheme->update_density(state_.particles, scratch.walls, scene_->gravity.at(span.time), since_density,
-                                   report.fluid);
+                                   found_);
     fluid::drift(water_->settings(), state_.particles, 0.5 * span.dt);
 
     meet(middle, scratch);
     place_walls(*scene_, *water_, state_.open, span.middle(), 0.5 * span.dt, scratch);
-    scratch.scheme->begin_forces(state_.particles, scratch.walls, span, scene_->gravity.at(span.middle()),
-                                 report.fluid);
-    if (report.fluid.problem.empty()) {
+    scratch.scheme->begin_forces(state_.particles, scratch.walls, span, scene_->gravity.at(span.middle()), found_);
+    if (found_.problem.empty()) {
         hold_loads(span);
     }
-    return {report.fluid.problem, 0, report.fluid.remedy};
+    return outcome();
 }
 
 /// Finds the loads that do not change while accelerations of bodies are iterated: of the guard before faces, and of
@@ -160,18 +168,19 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
                      scratch.sponge);
     }
     scratch.scheme->kick(state_.particles, scratch.walls, scene_->gravity.at(span.middle()), span, scratch.extra_force,
-                         report.fluid);
+                         found_);
     const double seam_work = span.dt * power_at_seams(*scene_, *water_, scratch);
-    report.fluid.work_on_solids += seam_work;  // walls mirrored as much more, which is no loss
-    (scratch.scheme->for_bodies() != nullptr ? report.fluid.pressure_loss : report.fluid.wall_exchange) -= seam_work;
+    found_.work_on_solids += seam_work;  // walls mirrored as much more, which is no loss
+    (scratch.scheme->for_bodies() != nullptr ? found_.pressure_loss : found_.wall_exchange) -= seam_work;
     const double joint_work = span.dt * joint_power(scratch);
-    report.fluid.work_on_solids += joint_work;  // by water that no particle stands for
-    report.fluid.work_external += joint_work;
+    found_.work_on_solids += joint_work;  // by water that no particle stands for
+    found_.work_external += joint_work;
     const double absorbed = water_->sponges.empty() ? 0 : absorbed_energy(state_.particles, span.dt, scratch.sponge);
     const double flow_work = span.dt * power_on_openings(scratch.walls, scratch.near_numbers.size());
-    report.fluid.work_on_solids -= flow_work;  // layers of openings are walls to the scheme, and sponges extra forces
-    report.fluid.work_external += absorbed;
-    const fluid::FluidReport& of = report.fluid;
+    found_.work_on_solids -= flow_work;  // layers of openings are walls to the scheme, and sponges extra forces
+    found_.work_external += absorbed;
+    const fluid::FluidReport& of = found_;
+    report.balance = of;
     report.own = {of.dissipated_viscous,
                   of.dissipated_collisions,
                   of.dissipated_diffusion,
@@ -182,9 +191,9 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
                   absorbed,
                   flow_work};
     report.earlier = {of.earlier_heat, of.earlier_collisions, 0, 0, 0, of.earlier_exchange};
-    report.through_walls = scratch.penalty.passages();
-    report.intruder = find_intruder(scene_->bodies, *water_, scratch);
-    return {report.fluid.problem, 0, report.fluid.remedy};
+    report.particles.through_walls = scratch.penalty.passages();
+    report.particles.intruder = find_intruder(scene_->bodies, *water_, scratch);
+    return outcome();
 }
 
 namespace {
@@ -216,27 +225,27 @@ void let_splash_go(const ParticleFluid& fluid, const Vec3& gravity, const TimeSp
 Outcome ParticleMethod::end(const TimeSpan& span, FluidStep& report) {
     ParticleScratch& scratch = *scratch_;
     fluid::drift(water_->settings(), state_.particles, 0.5 * span.dt);
-    const double fastest =
-        std::max(report.fluid.max_speed,
-                 speed_of_joints(*water_, scratch.bodies.is_loose, scene_->bodies, state_.bodies, scratch.joints));
-    state_.coupling.near_travel += 0.5 * span.dt * fastest + report.fluid.max_shift;
+    const double fastest = std::max(found_.max_speed, speed_of_joints(*water_, scratch.bodies.is_loose, scene_->bodies,
+                                                                      state_.bodies, scratch.joints));
+    state_.coupling.near_travel += 0.5 * span.dt * fastest + found_.max_shift;
     state_.coupling.previous_dt = span.dt;
+    fluid::Passage passage;
     if (!water_->open.empty()) {
         const Vec3 gravity = without_periodic(scene_->gravity.at(span.end()), water_->settings().domain);
         const std::int64_t first = state_.open.next_id;
-        report.passage = pass_openings(water_->open, water_->settings(), scratch.walls, scratch.near_numbers.size(),
-                                       gravity, span.end(), span.dt, state_.open, state_.particles);
+        passage = pass_openings(water_->open, water_->settings(), scratch.walls, scratch.near_numbers.size(), gravity,
+                                span.end(), span.dt, state_.open, state_.particles);
         begin_particles(*water_, first, state_.particles);
     }
-    let_splash_go(*water_, scene_->gravity.at(span.end()), span, state_.open, state_.particles, report.passage);
+    let_splash_go(*water_, scene_->gravity.at(span.end()), span, state_.open, state_.particles, passage);
+    report.transported = {passage.energy, passage.momentum};
     const bool carries_density = scratch.scheme->for_bodies() == nullptr;
-    if (report.passage.problem.empty() &&
-        is_time_to_look(water_->settings(), state_.particles, span, carries_density)) {
+    if (passage.problem.empty() && is_time_to_look(water_->settings(), state_.particles, span, carries_density)) {
         const RoomWalls walls{scene_->shapes, scene_->bodies, water_->is_dry, scratch.motion};
         return {crowded_pocket(walls, water_->settings(), state_.particles, span.end()), 0,
                 "a way out for the water, less of it in the pocket at the start, or a motion that ends before"};
     }
-    return {report.passage.problem, 0, report.passage.remedy};
+    return {passage.problem, 0, passage.remedy};
 }
 
 namespace {

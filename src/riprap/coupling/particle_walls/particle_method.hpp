@@ -5,8 +5,9 @@
 #include <string>
 
 #include "riprap/core/account.hpp"
-#include "riprap/coupling/fluid_report.hpp"
+#include "riprap/coupling/fluid_method.hpp"
 #include "riprap/coupling/fluid_scene.hpp"
+#include "riprap/coupling/fluid_traits.hpp"
 #include "riprap/coupling/gauge_query.hpp"
 #include "riprap/coupling/particle_walls/correct_bodies.hpp"
 #include "riprap/coupling/particle_walls/face_reading.hpp"
@@ -15,71 +16,72 @@
 namespace riprap::coupling {
 
 /// A fluid of particles between walls, bound to Model, State and Scratch for one step: FluidMethod.
-class ParticleMethod {
+class ParticleMethod final : public FluidMethod {
  public:
     using Settings = ParticleFluid;
     using Fields = NoFields;
     using Scratch = ParticleScratch;
-    static constexpr bool is_there = true;
-    static constexpr bool leads = true;  ///< its step is that of the run
     static std::span<const Account> accounts();
-    /// See sim/method_traits.hpp: a scheme says so by a member of its settings.
-    static bool books_every_step(const Settings& water) {
-        return std::visit([]<class Scheme>(const Scheme& /*scheme*/) { return books_all<Scheme>; }, water.scheme);
-    }
-    static double grain(const Settings& water) { return water.settings().spacing; }
+    /// Tells whether the scheme books all that it dissipates in the step in which it does.
+    static bool books_every_step(const Settings& water);
+    static constexpr FluidTraits<Settings> traits{
+        .offers = fluid::reading::of_particles,
+        .books_every_step = &books_every_step,
+        .spacing = [](const Settings& water) { return water.settings().spacing; },
+        .grain = [](const Settings& water) { return water.settings().spacing; },
+        .courant = [](const Settings& water) { return water.settings().courant; },
+        .bytes = [](const Settings& water) { return water.bytes(); },
+        .accounts = &accounts};
 
     ParticleMethod(const FluidScene& scene, const Settings& water, const FluidState& state, Fields& fields,
                    Scratch& scratch);
 
     /// Fills inflows; on a fresh State.
-    void start();
+    void start() override;
     /// Newton's step for bodies that accelerate by their loads, where the scheme has one (correct_bodies.hpp).
     bool correct(const body::BodySet& bodies, const body::BodyKinematics& kinematics,
                  std::span<const std::uint8_t> is_sought, std::span<const body::Acceleration> residual,
-                 std::vector<body::Acceleration>& guess) const {
+                 std::vector<body::Acceleration>& guess) override {
         return coupling::correct(*water_, bodies, kinematics, is_sought, residual, *scratch_, guess);
     }
     /// Has the scheme such a step? Then its water cannot give way, so that its loads follow the way of bodies within a
     /// step.
-    bool corrects() const {
+    bool corrects() const override {
         return scratch_->scheme->for_bodies() != nullptr && water_->wall == WallTreatment::boundary_particles;
     }
     /// Returns the longest step that sound, acceleration and viscosity allow.
-    StepLimit limit() const;
+    StepLimit limit() const override;
     /// Sorts the particles by place on steps given by the step number alone.
-    void tidy(std::int64_t step);
+    void tidy(std::int64_t step) override;
     /// Sets how fast the corrections of absorbing paddles go over the span, and tells how that accelerates them.
     /// @param correction  per driven body, empty where none is corrected [m/s^2]
-    void drive(const TimeSpan& span, std::vector<Vec3>& correction);
+    void drive(const TimeSpan& span, std::vector<Vec3>& correction) override;
     /// Density, half a drift, and the forces within the fluid with bodies where they will be at mid-step. Bodies are
     /// not moved.
-    Outcome begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle, FluidStep& report);
+    Outcome begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle,
+                  FluidStep& report) override;
     /// Finds the loads on bodies that move as `middle` says; its poses are those of begin.
-    void load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads);
+    void load(const TimeSpan& span, const body::Motion& middle, FluidLoads& loads) override;
     /// Kicks the particles with the walls as they were last loaded.
-    Outcome kick(const TimeSpan& span, FluidStep& report);
+    Outcome kick(const TimeSpan& span, FluidStep& report) override;
     /// The second half of the drift, and what passes inflows and outflows.
-    Outcome end(const TimeSpan& span, FluidStep& report);
+    Outcome end(const TimeSpan& span, FluidStep& report) override;
 
     /// Returns the share of each body's mass that its walls feed back to the loads: the bodies whose accelerations have
     /// to be iterated [-].
-    std::span<const double> feedback() const { return scratch_->bodies.kappa; }
-    static constexpr unsigned offers = fluid::reading::of_particles;
+    std::span<const double> feedback() const override { return scratch_->bodies.kappa; }
     /// Reads a gauge; nothing before the first step for one on a face.
     static fluid::GaugeReading read(const GaugeQuery<ParticleMethod>& query);
 
  private:
-    template <class Scheme>
-    static constexpr bool books_all = requires {
-        requires Scheme::books_every_step;
-    };
     void hold_loads(const TimeSpan& span);
+    Outcome outcome() const { return {found_.problem, 0, found_.remedy}; }
 
     const FluidScene* scene_;
     const ParticleFluid* water_;
     FluidState state_;
     ParticleScratch* scratch_;
+    fluid::FluidReport found_;  ///< by the scheme, over the span
 };
 
 }  // namespace riprap::coupling

@@ -28,7 +28,7 @@ struct WallBodies {
 /// Buffers of a particle fluid: Scratch.
 struct ParticleScratch {
     std::unique_ptr<fluid::ParticleScheme> scheme;
-    const ParticleFluid* made_for{nullptr};  ///< whose settings the scheme points to
+    const ParticleFluid* made_for{nullptr};  ///< whose settings the scheme has
     WallBodies bodies;
     CornerLoads corners;
     fluid::BoundaryParticles walls;

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/fluid/mps_operators/mps_lattice.hpp"
+#include "riprap/fluid/mps_operators/wall_pairs.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/periodic_images.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"
-#include "riprap/fluid/wcmps/pair_sums.hpp"
 
 namespace riprap::coupling {
 
@@ -24,18 +25,13 @@ double pressure_in(const fluid::WcmpsSettings& settings, double density) {
     return fluid::pressure_of(settings, density / settings.rest_density);
 }
 
-/// x and q of wcmps::MpsPressureOnWalls.
+/// x and q of MpsPressureOnWalls.
 std::array<double, 2> carried_by(const fluid::WcmpsSettings& settings, double density, double pressure) {
     const double x = density / settings.rest_density;
     return {x, pressure / x};
 }
 std::array<double, 2> carried_by(const fluid::MpsSettings& /*settings*/, double /*density*/, double pressure) {
     return {1, pressure};
-}
-
-Vec3 apply(const std::array<double, 6>& t, const Vec3& a) {
-    return {t[0] * a.x + t[2] * a.y + t[4] * a.z, t[2] * a.x + t[1] * a.y + t[5] * a.z,
-            t[4] * a.x + t[5] * a.y + t[3] * a.z};
 }
 
 }  // namespace
@@ -123,7 +119,7 @@ Vec3 SideForces::correction_by(const fluid::SphSettings& settings, std::size_t w
         if (!water.is_in_front) {
             const Vec3 d = x - water.place;
             sum += (walls_.pressure[wall] + water.pressure) * water.volume * kernel.slope_over_r(norm(d)) *
-                   apply(water.correction, d);
+                   fluid::symmetric_apply(water.correction, d);
         }
     }
     return walls_.volume[wall] * sum;
@@ -134,8 +130,8 @@ template <class Scheme>
 Vec3 SideForces::correction_by(const Scheme& settings, std::size_t wall) const {
     const fluid::PeriodicImages images(settings.domain);
     const Vec3 x = images.nearest(walls_.position[wall], place_), pull = water_.gravity - walls_.acceleration[wall];
-    const fluid::wcmps::MpsPressureOnWalls law{settings.weight()};
-    std::array<double, fluid::wcmps::MpsPressureOnWalls::sums> sums{};
+    const fluid::MpsPressureOnWalls law{settings.weight()};
+    std::array<double, fluid::MpsPressureOnWalls::sums> sums{};
     const double* const none = nullptr;  // a boundary particle brings no number of its own
     for (const Near& water : near_) {
         if (water.is_in_front) {
@@ -151,15 +147,15 @@ Vec3 SideForces::correction_by(const Scheme& settings, std::size_t wall) const {
         }
     }
     const auto at = [&](int k) { return sums[static_cast<std::size_t>(k)]; };
-    using Sums = fluid::wcmps::MpsPressureOnWalls;
+    using Sums = fluid::MpsPressureOnWalls;
     const Vec3 slope{at(Sums::at_slope), at(Sums::at_slope + 1), at(Sums::at_slope + 2)};
     const Vec3 push{at(Sums::at_push), at(Sums::at_push + 1), at(Sums::at_push + 2)};
     Vec3 felt = push + walls_.pressure[wall] * slope;
     if (settings.wall_pressure == fluid::MpsWallPressure::mirrored) {
         constexpr int moment = Sums::at_moment;
-        felt = 2.0 * push +
-               apply({at(moment), at(moment + 1), at(moment + 2), at(moment + 3), at(moment + 4), at(moment + 5)},
-                     settings.rest_density * pull);
+        felt = 2.0 * push + fluid::symmetric_apply({at(moment), at(moment + 1), at(moment + 2), at(moment + 3),
+                                                    at(moment + 4), at(moment + 5)},
+                                                   settings.rest_density * pull);
     }
     return -(settings.lattice().first_order() * walls_.volume[wall]) * felt;
 }

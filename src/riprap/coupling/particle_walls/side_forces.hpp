@@ -6,7 +6,7 @@
 
 #include "riprap/fluid/particle/boundary_particles.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/schemes.hpp"
+#include "riprap/fluid/scheme_settings.hpp"
 
 namespace riprap::coupling {
 

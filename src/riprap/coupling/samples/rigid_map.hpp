@@ -6,16 +6,11 @@
 
 #include "riprap/body/loads.hpp"
 #include "riprap/body/motion.hpp"
+#include "riprap/coupling/fluid_loads.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
 
 namespace riprap::coupling {
-
-/// Loads of a fluid on every body, pressure and viscosity apart.
-struct FluidLoads {
-    body::Loads pressure, viscous;
-    std::size_t bytes() const { return pressure.bytes() + viscous.bytes(); }
-};
 
 /// Moves the samples with their bodies, r = R U X being a sample's place relative to the centre of mass:
 ///

@@ -6,10 +6,11 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/mps/mps_scratch.hpp"
+#include "riprap/fluid/mps/mps.hpp"
 #include "riprap/fluid/mps/separation.hpp"
 
-namespace riprap::fluid::mps {
+namespace riprap::fluid {
+namespace mps {
 namespace {
 
 using Six = std::array<double, 6>;
@@ -59,7 +60,7 @@ SixBySix solve(SixBySix a, SixBySix b) {
 
 /// Appends the entries of particle i, one a body that it meets, in the order of its boundary particles.
 void add_entries(const MpsSettings& settings, const MpsLattice& lattice, const LooseBodies& bodies, std::size_t i,
-                 const MpsScratchData& s, std::vector<BodyEntry>& entries) {
+                 const MpsScratch& s, std::vector<BodyEntry>& entries) {
     const MpsWeight weight = settings.weight();
     const Separation separation(settings.domain);
     const double c = lattice.second_order() * settings.rest_density;
@@ -95,7 +96,7 @@ void add_entries(const MpsSettings& settings, const MpsLattice& lattice, const L
     }
 }
 
-void find_entries(const MpsSettings& settings, const LooseBodies& bodies, MpsScratchData& s) {
+void find_entries(const MpsSettings& settings, const LooseBodies& bodies, MpsScratch& s) {
     BodiesInPressure& own = s.bodies;
     const MpsLattice lattice = settings.lattice();
     const auto count = static_cast<std::int64_t>(s.around.predicted.size());
@@ -150,7 +151,7 @@ void find_mobility(const LooseBodies& bodies, BodiesInPressure& own) {
 }
 
 /// Accelerations H L S p that pressures give bodies.
-std::vector<Six> respond(const MpsScratchData& s, std::span<const double> pressure) {
+std::vector<Six> respond(const MpsScratch& s, std::span<const double> pressure) {
     std::vector<Six> load(s.bodies.mobility.size(), Six{});
     for (const BodyEntry& entry : s.bodies.entries) {
         const std::int32_t row = s.equation.unknown[at(entry.particle)];
@@ -168,7 +169,7 @@ std::vector<Six> respond(const MpsScratchData& s, std::span<const double> pressu
 }
 
 /// y += factor B a
-void add_flux(const MpsScratchData& s, const std::vector<Six>& acceleration, double factor, std::span<double> y) {
+void add_flux(const MpsScratch& s, const std::vector<Six>& acceleration, double factor, std::span<double> y) {
     for (const BodyEntry& entry : s.bodies.entries) {
         const std::int32_t row = s.equation.unknown[at(entry.particle)];
         for (std::size_t k = 0; k < 6 && row >= 0; ++k) {
@@ -179,7 +180,7 @@ void add_flux(const MpsScratchData& s, const std::vector<Six>& acceleration, dou
 
 /// A - B H L S
 struct Coupled {
-    const MpsScratchData& s;
+    const MpsScratch& s;
     std::size_t size() const { return s.equation.matrix.size(); }
     void multiply(std::span<const double> x, std::span<double> y) const {
         s.equation.matrix.multiply(x, y);
@@ -189,10 +190,13 @@ struct Coupled {
 
 }  // namespace
 
-bool correct_bodies(const MpsSettings& settings, const LooseBodies& bodies, std::span<const Twist> residual,
-                    MpsScratchData& s, std::span<Twist> change) {
+}  // namespace mps
+
+bool Mps::correct(const LooseBodies& bodies, std::span<const Twist> residual, std::span<Twist> change) {
+    using namespace mps;
+    MpsScratch& s = scratch_;
     BodiesInPressure& own = s.bodies;
-    find_entries(settings, bodies, s);
+    find_entries(settings_, bodies, s);
     find_mobility(bodies, own);
     std::vector<Six> direct(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -204,7 +208,7 @@ bool correct_bodies(const MpsSettings& settings, const LooseBodies& bodies, std:
     constexpr double tolerance = 1e-5;  // of a correction: Newton's method makes good what is left
     const linear::SolveReport report =
         linear::solve_bicgstab(Coupled{s}, s.equation.preconditioner, own.right, own.solution,
-                               {tolerance, 0, settings.max_iterations}, own.solver);
+                               {tolerance, 0, settings_.max_iterations}, own.solver);
     const std::vector<Six> follow = respond(s, own.solution);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const auto sum = [&](std::size_t k) { return direct[b][k] + follow[b][k]; };
@@ -213,4 +217,4 @@ bool correct_bodies(const MpsSettings& settings, const LooseBodies& bodies, std:
     return report.is_converged();
 }
 
-}  // namespace riprap::fluid::mps
+}  // namespace riprap::fluid

@@ -2,19 +2,13 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <cstdint>
 #include <vector>
 
 #include "riprap/core/bytes.hpp"
-#include "riprap/fluid/mps/mps_settings.hpp"
-#include "riprap/fluid/particle/loose_bodies.hpp"
 #include "riprap/linear/bicgstab.hpp"
 
-namespace riprap::fluid {
-
-struct MpsScratchData;
-
-namespace mps {
+namespace riprap::fluid::mps {
 
 /// Coupling of one particle with one body through the boundary particles w in its support, with d = x_i - x_w, r the
 /// arm of w, b its share of a lattice volume and u(d) = (d, r x d):
@@ -32,7 +26,16 @@ struct BodyEntry {
     std::array<double, 36> mass;
 };
 
-/// Buffers of correct_bodies.
+/// Buffers of Mps::correct, which takes bodies as unknowns of the pressure equation beside those of the particles.
+/// Given the pressure p solved with accelerations a, and r, what the loads that it gives accelerate the bodies by, less
+/// a, the step of Newton's method to where both agree is
+///
+///     A dp = B da,   da = r + M^-1 (L S dp + K da)
+///     =>  (A - B H L S) dp = B (1 - M^-1 K)^-1 r,   H = (1 - M^-1 K)^-1 M^-1,
+///
+/// A the matrix of the pressure equation, B, L and -K the sums of `flux`, `load` and `mass` over BodyEntry, and S = 1
+/// where p > 0, else 0: pressures below zero are set to zero, which is all that keeps the problem from being linear.
+/// A - B H L S is A and six numbers a body; it is solved by BiCGStab with the preconditioner of A.
 struct BodiesInPressure {
     std::vector<BodyEntry> entries;
     std::vector<std::vector<BodyEntry>> chunks;
@@ -42,19 +45,4 @@ struct BodiesInPressure {
     std::size_t bytes() const { return bytes_of(entries, mobility, inverse, right, solution) + solver.bytes(); }
 };
 
-/// Takes bodies as unknowns of the pressure equation beside those of the particles. Given the pressure p solved with
-/// accelerations a, and r, what the loads that it gives accelerate the bodies by, less a, the step of Newton's method
-/// to where both agree is
-///
-///     A dp = B da,   da = r + M^-1 (L S dp + K da)
-///     =>  (A - B H L S) dp = B (1 - M^-1 K)^-1 r,   H = (1 - M^-1 K)^-1 M^-1,
-///
-/// A the matrix of the pressure equation, B, L and -K the sums of `flux`, `load` and `mass` over BodyEntry, and S = 1
-/// where p > 0, else 0: pressures below zero are set to zero, which is all that keeps the problem from being linear.
-/// A - B H L S is A and six numbers a body; it is solved by BiCGStab with the preconditioner of A.
-/// @returns false where the solver does not converge; `change` then means nothing
-bool correct_bodies(const MpsSettings& settings, const LooseBodies& bodies, std::span<const Twist> residual,
-                    MpsScratchData& s, std::span<Twist> change);
-
-}  // namespace mps
-}  // namespace riprap::fluid
+}  // namespace riprap::fluid::mps

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/particle/mps_keys.hpp"
+#include "riprap/fluid/mps_operators/mps_keys.hpp"
 #include "riprap/core/key.hpp"
 #include "riprap/fluid/mps/mps_settings.hpp"
 #include "riprap/fluid/particle/particle_keys.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/mps_weight.hpp"
+#include "riprap/fluid/mps_operators/mps_weight.hpp"
 
 namespace riprap::fluid::mps {
 

@@ -8,17 +8,16 @@
 #include <vector>
 
 #include "riprap/core/bytes.hpp"
-#include "riprap/core/parallel.hpp"
 #include "riprap/fluid/mps/bodies_in_pressure.hpp"
 #include "riprap/fluid/mps/mps_neighbours.hpp"
-#include "riprap/fluid/mps/mps_step.hpp"
-#include "riprap/fluid/particle/mps_lattice.hpp"
-#include "riprap/fluid/particle/mps_weight.hpp"
+#include "riprap/fluid/mps_operators/mps_lattice.hpp"
+#include "riprap/fluid/mps_operators/mps_weight.hpp"
+#include "riprap/fluid/mps_operators/wall_opening.hpp"
 #include "riprap/fluid/particle/sweep_lists.hpp"
-#include "riprap/fluid/sph/symmetric.hpp"
-#include "riprap/fluid/wcmps/wall_opening.hpp"
+#include "riprap/fluid/particle/symmetric.hpp"
 #include "riprap/linear/block_csr.hpp"
 #include "riprap/linear/incomplete_cholesky.hpp"
+#include "riprap/linear/pcg.hpp"
 
 namespace riprap::fluid {
 
@@ -47,7 +46,7 @@ struct MpsWalls {
     std::vector<Vec3> viscous_force, collision_force;  ///< on the walls [N]
     std::vector<Vec3> head;                            ///< rho_0 (g - a_w) [Pa/m]
     std::vector<Vec3> start_velocity;                  ///< u_n + dt g [m/s]
-    wcmps::WallOpenings openings;                      ///< of r** and u**
+    MpsWallOpenings openings;                          ///< of r** and u**
     std::vector<double> pressure;                      ///< in forces where m = 0; P where it is given [Pa]
 
     std::size_t bytes() const {
@@ -109,7 +108,8 @@ struct MpsWater {
     std::size_t bytes() const { return bytes_of(pressure, pressure_force); }
 };
 
-struct MpsScratchData {
+/// All of them.
+struct MpsScratch {
     MpsPrediction prediction;
     MpsWalls walls;
     MpsAtWalls at_walls;
@@ -124,17 +124,5 @@ struct MpsScratchData {
                water.bytes() + bodies.bytes() + lists.bytes();
     }
 };
-
-namespace mps {
-
-/// Makes `count` zeros of it.
-template <class T>
-void clear(std::vector<T>& sums, std::size_t count) {
-    sums.resize(count);
-    parallel::for_each(static_cast<std::int64_t>(count),
-                       [&](std::int64_t i) { sums[static_cast<std::size_t>(i)] = T{}; });
-}
-
-}  // namespace mps
 
 }  // namespace riprap::fluid

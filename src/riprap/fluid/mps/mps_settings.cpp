@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/mps/mps_settings.hpp"
 
-#include "riprap/fluid/particle/mps_lattice.hpp"
-#include "riprap/fluid/particle/mps_weight.hpp"
+#include "riprap/fluid/mps_operators/mps_lattice.hpp"
+#include "riprap/fluid/mps_operators/mps_weight.hpp"
 
 namespace riprap::fluid {
 

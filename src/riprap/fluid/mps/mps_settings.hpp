@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
-#include "riprap/fluid/particle/mps_choices.hpp"
+#include "riprap/fluid/mps_operators/mps_choices.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 
@@ -15,8 +16,9 @@ struct MethodKeys;  // core/key.hpp
 
 namespace riprap::fluid {
 
-class MpsWeight;    // particle/mps_weight.hpp
-struct MpsLattice;  // particle/mps_lattice.hpp
+class ParticleScheme;  // particle/particle_scheme.hpp
+class MpsWeight;       // mps_operators/mps_weight.hpp
+struct MpsLattice;     // mps_operators/mps_lattice.hpp
 
 /// Gradient of pressure that moves particles: pair by pair in balance, or exact for linear pressures [Amaro2021, eq.
 /// 18].
@@ -43,7 +45,6 @@ struct MpsSettings : ParticleSettings {
     MpsWallPressure wall_pressure{MpsWallPressure::averaged};
     double tolerance{1e-6};    ///< of the residual of the pressure equation [-]
     int max_iterations{1000};  ///< of its solver
-    bool is_plain{false};      ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
     bool takes_joints() const { return true; }
     bool takes_normals() const { return wall_pressure == MpsWallPressure::averaged; }
@@ -53,5 +54,8 @@ struct MpsSettings : ParticleSettings {
     MpsWeight weight() const;
     MpsLattice lattice() const;
 };
+
+/// Makes the scheme of these settings, which have to outlive it.
+std::unique_ptr<ParticleScheme> make_scheme(const MpsSettings& settings);
 
 }  // namespace riprap::fluid

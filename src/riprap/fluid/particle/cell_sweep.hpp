@@ -93,8 +93,8 @@ struct CellSweep {
         for (; in_reach != 0; in_reach &= in_reach - 1) {
             const std::int32_t candidate = first + lowest_bit(in_reach);
             const float r2 = difference(here, candidate, d);
-            pair.template operator()<Dim, float>(target, candidate_fields + std::int64_t{stride} * candidate, d, r2,
-                                                 distance(r2), sum);
+            act_one_way<Dim, Pair, float>(pair, target, candidate_fields + std::int64_t{stride} * candidate, d, r2,
+                                          distance(r2), sum);
         }
     }
 };

@@ -45,11 +45,35 @@ struct NumbersView {
         }
     }
     RIPRAP_HD void set_vector(std::size_t i, const Vec3& a) const requires(N == 3) { set_all(i, {a.x, a.y, a.z}); }
-    /// Three of them from number k on.
-    RIPRAP_HD Vec3 vector(std::size_t i, std::size_t k = 0) const requires(N >= 3) {
-        return {get(i, k), get(i, k + 1), get(i, k + 2)};
+    RIPRAP_HD Vec3 vector(std::size_t i) const requires(N == 3) { return {get(i, 0), get(i, 1), get(i, 2)}; }
+
+    /// Number k of each particle, for sweeps to read or to add to.
+    FieldView view(std::size_t k = 0) const {
+        return {wide == nullptr ? nullptr : wide + k, static_cast<std::int64_t>(N),
+                narrow == nullptr ? nullptr : narrow + k};
+    }
+    FieldSink sink(std::size_t k = 0) const {
+        return {wide == nullptr ? nullptr : wide + k, static_cast<std::int64_t>(N), false,
+                narrow == nullptr ? nullptr : narrow + k};
     }
 };
+/// All numbers of each particle, for sweeps.
+template <std::size_t N>
+std::array<FieldView, N> fields_of(const NumbersView<N>& numbers) {
+    std::array<FieldView, N> all;
+    for (std::size_t k = 0; k < N; ++k) {
+        all[k] = numbers.view(k);
+    }
+    return all;
+}
+template <std::size_t N>
+std::array<FieldSink, N> sinks_of(const NumbersView<N>& numbers) {
+    std::array<FieldSink, N> all;
+    for (std::size_t k = 0; k < N; ++k) {
+        all[k] = numbers.sink(k);
+    }
+    return all;
+}
 
 /// Gives all particles the same numbers.
 template <std::size_t N>
@@ -76,10 +100,6 @@ class Numbers {
         Where::for_each(static_cast<std::int64_t>(count), FillNumbers<N>{columns(), numbers});
     }
     std::size_t size() const { return (wide_.size() + narrow_.size()) / N; }
-    void swap(Numbers& other) noexcept {
-        wide_.swap(other.wide_);
-        narrow_.swap(other.narrow_);
-    }
     /// The numbers as loops over particles read and write them: a view, through which all may be written.
     NumbersView<N> columns() const {
         return {wide_.empty() ? nullptr : const_cast<double*>(wide_.data()), const_cast<float*>(narrow_.data())};
@@ -89,33 +109,74 @@ class Numbers {
     double get(std::size_t i, std::size_t k) const requires(is_here) { return columns().get(i, k); }
     double operator[](std::size_t i) const requires(is_here&& N == 1) { return get(i, 0); }
     std::array<double, N> all(std::size_t i) const requires(is_here) { return columns().all(i); }
-    Vec3 vector(std::size_t i, std::size_t k = 0) const requires(is_here&& N >= 3) { return columns().vector(i, k); }
+    Vec3 vector(std::size_t i) const requires(is_here&& N == 3) { return columns().vector(i); }
     void set(std::size_t i, std::size_t k, double a) requires(is_here) { columns().set(i, k, a); }
     void set(std::size_t i, double a) requires(is_here&& N == 1) { columns().set(i, 0, a); }
     void set_vector(std::size_t i, const Vec3& a) requires(is_here&& N == 3) { columns().set_vector(i, a); }
 
-    /// Number k of each particle, for sweeps to read or to add to. Where there are numbers of one particle only, all
-    /// have those.
+    /// Number k of each particle, for sweeps to read. Where there are numbers of one particle only, all have those.
     FieldView view(std::size_t k = 0) const {
-        return {wide_.empty() ? nullptr : wide_.data() + k, size() == 1 ? 0 : static_cast<std::int64_t>(N),
-                narrow_.empty() ? nullptr : narrow_.data() + k};
-    }
-    FieldSink sink(std::size_t k = 0) {
-        return {wide_.empty() ? nullptr : wide_.data() + k, N, false, narrow_.empty() ? nullptr : narrow_.data() + k};
-    }
-    /// The same number times one for each particle.
-    FieldView times(std::size_t k, const Numbers<1, Where>& factor) const {
-        FieldView product = view(k);
-        const FieldView by = factor.view();
-        product.factor = by.data;
-        product.narrow_factor = by.narrow;
-        return product;
+        FieldView view = columns().view(k);
+        view.stride = size() == 1 ? 0 : view.stride;
+        return view;
     }
     std::size_t bytes() const { return wide_.capacity() * sizeof(double) + narrow_.capacity() * sizeof(float); }
 
  private:
     typename Where::template Array<double> wide_;
     typename Where::template Array<float> narrow_;
+};
+
+template <std::size_t N, class Where>
+std::array<FieldView, N> fields_of(const Numbers<N, Where>& numbers) {
+    std::array<FieldView, N> all;
+    for (std::size_t k = 0; k < N; ++k) {
+        all[k] = numbers.view(k);
+    }
+    return all;
+}
+template <std::size_t N, class Where>
+std::array<FieldSink, N> sinks_of(const Numbers<N, Where>& numbers) {
+    return sinks_of(numbers.columns());
+}
+/// Numbers times one for each particle.
+template <std::size_t N, class Where>
+std::array<FieldView, N> products(std::array<FieldView, N> numbers, const Numbers<1, Where>& factor) {
+    const FieldView by = factor.view();
+    for (FieldView& each : numbers) {
+        each.factor = by.data;
+        each.narrow_factor = by.narrow;
+        each.factor_stride = by.stride;
+    }
+    return numbers;
+}
+
+/// Memory for numbers of each particle that stages of a step lend one another. A stage names what it needs and takes
+/// the places of what no stage reads any more, so that each name has one meaning.
+template <class Where>
+class StageMemory {
+ public:
+    /// Makes room, whatever is in it.
+    /// @param places  of each particle [-]
+    void resize(std::size_t count, bool is_wide, std::size_t places) {
+        count_ = count;
+        is_wide_ = is_wide;
+        wide_.resize(is_wide ? places * count : 0);
+        narrow_.resize(is_wide ? 0 : places * count);
+    }
+    /// Lends N places of each particle from this one on.
+    template <std::size_t N>
+    NumbersView<N> lend(std::size_t place) {
+        const std::size_t begin = count_ * place;
+        return {is_wide_ ? wide_.data() + begin : nullptr, is_wide_ ? nullptr : narrow_.data() + begin};
+    }
+    std::size_t bytes() const { return wide_.capacity() * sizeof(double) + narrow_.capacity() * sizeof(float); }
+
+ private:
+    typename Where::template Array<double> wide_;
+    typename Where::template Array<float> narrow_;
+    std::size_t count_{0};
+    bool is_wide_{false};
 };
 
 }  // namespace riprap::fluid

@@ -23,4 +23,21 @@ void drift(const ParticleSettings& settings, ParticleState& state, double dt) {
     });
 }
 
+void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report) {
+    struct Push {
+        Vec3 force{};
+        double power{0};
+    };
+    const auto one = [&](std::int64_t entry) {
+        const auto w = static_cast<std::size_t>(entry);
+        const Vec3 force = walls.pressure_force[w] + walls.viscous_force[w];
+        return Push{force, dot(force, walls.velocity[w])};
+    };
+    const Push push = parallel::reduce(walls.size(), Push{}, one, [](const Push& a, const Push& b) {
+        return Push{a.force + b.force, a.power + b.power};
+    });
+    report.impulse -= dt * push.force;
+    report.work_on_solids = dt * push.power;
+}
+
 }  // namespace riprap::fluid

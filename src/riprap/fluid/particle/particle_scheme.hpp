@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 
 #include "riprap/core/step.hpp"
+#include "riprap/fluid/fluid_balance.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
@@ -25,37 +25,29 @@ struct FluidTimeStep {
     const char* reason;
 };
 
-/// Energies and losses of the fluid [J], measured at the kick like those of bodies (sim/ledger.hpp). The sum
+/// Energies and losses of particles [J], measured at the kick. The sum
 ///
 ///     kinetic + potential + internal + sums over steps of (dissipated_viscous + dissipated_collisions
 ///         + dissipated_diffusion + pressure_loss + shifted + work_on_solids + wall_exchange + earlier_heat
 ///         + earlier_collisions + earlier_exchange - work_external)
 ///
-/// stays the same (docs/theory/sph.md, 6).
-struct FluidReport {
-    double kinetic{0};                ///< sum m v_n.v_(n+1)/2
-    double potential{0};              ///< -sum m g.x; gravity along periodic axes is in work_external
-    double internal{0};               ///< of compression
+/// stays the same (docs/theory/sph.md, 6), where kinetic is sum m v_n.v_(n+1)/2 and work_external that of extra forces
+/// and of gravity along periodic axes.
+struct FluidReport : FluidBalance {
     double dissipated_viscous{0};     ///< in this step, pair by pair never negative within the fluid
     double dissipated_collisions{0};  ///< in this step, by collisions of particles with each other and with walls
     double dissipated_diffusion{0};   ///< in this step, by the diffusion of density and by tearing
     double pressure_loss{0};          ///< in this step, of a pressure that is solved for (docs/theory/mps.md)
     double shifted{0};                ///< potential energy and that of compression that shifting took away in this step
-    double work_on_solids{0};         ///< in this step
     double wall_exchange{0};          ///< in this step: work of mirrored wall pressure that no body sees
-    double work_external{0};          ///< in this step, by extra forces and by gravity along periodic axes
     double earlier_heat{0};           ///< what is due of dissipated_viscous before the kick, and not in it
     double earlier_collisions{0};     ///< the same of dissipated_collisions
     double earlier_exchange{0};       ///< the same of wall_exchange
-    Vec3 momentum{}, impulse{};  ///< of the fluid after the step [kg m/s]; of gravity, walls, extra forces in it [N s]
-    double mass{0};              ///< [kg]
-    double max_speed{0}, max_acceleration{0};
-    std::int64_t solver_iterations{0};  ///< of the pressure equation, all passes of the step
-    double solver_residual{0};          ///< of it, over its right-hand side, last pass [-]
-    double max_shift{0};                ///< farthest that shifting moved a particle in this step [m]
-    std::int64_t worst_particle{-1};    ///< first id that is not finite, too fast or out of the domain
-    std::string problem;                ///< why, with particle, place and time
-    std::string remedy;                 ///< what to change in the case, where that follows from the problem
+    double max_acceleration{0};
+    double max_shift{0};              ///< farthest that shifting moved a particle in this step [m]
+    std::int64_t worst_particle{-1};  ///< first id that is not finite, too fast or out of the domain
+    std::string problem;              ///< why, with particle, place and time
+    std::string remedy;               ///< what to change in the case, where that follows from the problem
 };
 
 /// Step of the particles of one method, between walls that somebody else moves. The driver calls the verbs in
@@ -105,5 +97,8 @@ class ParticleScheme {
 /// x += dt v, back into the domain along periodic axes.
 /// @param dt  half the step [s]
 void drift(const ParticleSettings& settings, ParticleState& state, double dt);
+
+/// Books impulse and work between fluid and walls from the forces on wall particles.
+void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report);
 
 }  // namespace riprap::fluid

@@ -27,6 +27,7 @@ struct ParticleSettings {
     double courant{0.8};             ///< share of h/(c + v) that a step may last [-]
     std::int64_t sort_interval{50};  ///< steps between sorts of the State by place
     Domain domain;
+    bool is_plain{false};  ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
     RIPRAP_HD double smoothing_length() const { return smoothing_ratio * spacing; }
     RIPRAP_HD double support_radius() const { return 2 * smoothing_length(); }

@@ -10,6 +10,7 @@
 
 #include "riprap/fluid/particle/cluster_list.hpp"
 #include "riprap/fluid/particle/lanes.hpp"
+#include "riprap/fluid/particle/pair_physics.hpp"
 
 namespace riprap::fluid::detail {
 
@@ -41,7 +42,7 @@ struct OneWay {
     template <int Dim>
     static void act(const Pair& pair, const LanePart* a, const LanePart* b, const LanePart* d, LanePart r2, LanePart r,
                     LanePart* sum, LanePart*) {
-        pair.template operator()<Dim, LanePart>(a, b, d, r2, r, sum);
+        act_one_way<Dim>(pair, a, b, d, r2, r, sum);
     }
 };
 /// and what both do to each other.

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "riprap/fluid/particle/domain.hpp"
 #include "riprap/fluid/particle/pair_physics.hpp"
@@ -27,14 +28,15 @@ struct FieldView {
     const double* data{nullptr};
     std::int64_t stride{1};
     const float* narrow{nullptr};  ///< the numbers, where they are floats
-    // One for each particle by which they are multiplied, of the same kind; nullptr: 1.
+    // Every `factor_stride`-th of these multiplies them, of the same kind; nullptr: 1.
     const double* factor{nullptr};
     const float* narrow_factor{nullptr};
+    std::int64_t factor_stride{1};
 
     RIPRAP_HD double operator[](std::int64_t i) const {
         const double number = narrow != nullptr ? static_cast<double>(narrow[i * stride]) : data[i * stride];
-        return narrow_factor != nullptr ? static_cast<double>(narrow_factor[i] * narrow[i * stride])
-               : factor != nullptr      ? factor[i] * number
+        return narrow_factor != nullptr ? static_cast<double>(narrow_factor[i * factor_stride] * narrow[i * stride])
+               : factor != nullptr      ? factor[i * factor_stride] * number
                                         : number;
     }
     /// Writes them for four particles that follow each other, as floats.
@@ -44,7 +46,7 @@ struct FieldView {
             four[member] = narrow != nullptr ? narrow[i * stride] : static_cast<float>((*this)[i]);
         }
         for (std::int64_t member = 0; narrow_factor != nullptr && member < 4; ++member) {
-            four[member] *= narrow_factor[first + member];
+            four[member] *= narrow_factor[(first + member) * factor_stride];
         }
     }
 };
@@ -90,6 +92,58 @@ struct SweepSide {
     std::span<const Vec3> position;
     std::array<FieldView, static_cast<std::size_t>(FieldCount)> fields;
 };
+
+/// Parts one after the other.
+template <class T, std::size_t... Counts>
+std::array<T, (Counts + ...)> joined(const std::array<T, Counts>&... parts) {
+    std::array<T, (Counts + ...)> all;
+    std::size_t next = 0;
+    const auto append = [&](const auto& part) {
+        for (const T& one : part) {
+            all[next++] = one;
+        }
+    };
+    (append(parts), ...);
+    return all;
+}
+
+inline std::array<FieldView, 1> fields_of(std::span<const double> values) { return {field(values)}; }
+inline std::array<FieldView, 3> fields_of(std::span<const Vec3> values) {
+    return {component(values, 0), component(values, 1), component(values, 2)};
+}
+template <std::size_t Count>
+std::array<FieldView, Count> fields_of(const std::array<FieldView, Count>& views) {
+    return views;
+}
+inline std::array<FieldSink, 1> sinks_of(std::span<double> sums) { return {sink(sums)}; }
+inline std::array<FieldSink, 3> sinks_of(std::span<Vec3> sums) {
+    return {sink_component(sums, 0), sink_component(sums, 1), sink_component(sums, 2)};
+}
+template <std::size_t Count>
+std::array<FieldSink, Count> sinks_of(std::vector<std::array<double, Count>>& sums) {
+    std::array<FieldSink, Count> all;
+    for (std::size_t k = 0; k < Count; ++k) {
+        all[k] = {sums.empty() ? nullptr : sums[0].data() + k, static_cast<std::int64_t>(Count)};
+    }
+    return all;
+}
+
+/// All numbers of columns, one column after the other: of vectors their three components.
+template <class... Columns>
+auto fields(const Columns&... columns) {
+    return joined(fields_of(columns)...);
+}
+template <class... Columns>
+auto sinks(Columns&&... columns) {
+    return joined(sinks_of(columns)...);
+}
+/// One side of a sweep, with the numbers of these columns.
+template <class... Columns>
+auto side(std::span<const Vec3> position, const Columns&... columns) {
+    const auto all = fields(columns...);
+    return SweepSide<static_cast<int>(all.size())>{position, all};
+}
+inline SweepSide<0> side(std::span<const Vec3> position) { return {position, {}}; }
 
 /// Reach of pairs and their space.
 struct SweepReach {

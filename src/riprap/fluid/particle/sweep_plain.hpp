@@ -35,8 +35,7 @@ void sweep_plain_in(const Pair& pair, const SweepReach& reach, const SweepSide<P
                 for (std::size_t k = 0; k < candidates.fields.size(); ++k) {
                     candidate[k] = candidates.fields[k][j];
                 }
-                pair.template operator()<Dim, double>(target.data(), candidate.data(), d.data(), r2, distance(r2),
-                                                      sum.data());
+                act_one_way<Dim>(pair, target.data(), candidate.data(), d.data(), r2, distance(r2), sum.data());
             }
         });
         for (std::size_t k = 0; k < sums.size(); ++k) {

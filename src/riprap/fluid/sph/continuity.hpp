@@ -3,7 +3,7 @@
 
 #include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/math.hpp"
-#include "riprap/fluid/sph/symmetric.hpp"
+#include "riprap/fluid/particle/symmetric.hpp"
 
 namespace riprap::fluid {
 
@@ -21,8 +21,8 @@ namespace riprap::fluid {
 /// any state equation, and no volume made or lost by a pair (docs/theory/sph.md, 4). sums[1] is derived there, 5. For
 /// velocities linear in space, v = A d, G = -(M A^T + A M)/2, so that B:G = -tr A wherever the neighbours are.
 struct Continuity {
-    static constexpr int target_fields = 5;     ///< v, p, V
-    static constexpr int candidate_fields = 5;  ///< the same
+    enum Field : int { velocity, pressure = velocity + 3, volume, field_count };
+    static constexpr int target_fields = field_count, candidate_fields = field_count;
     // Places of the sums.
     static constexpr int at_diffusion = 0, at_strain_rate = 1, at_moments = 2,
                          at_rates = at_moments + symmetric_numbers, at_concentration = at_rates + symmetric_numbers;
@@ -36,12 +36,12 @@ struct Continuity {
         Real v[3], moment[symmetric_numbers], change[symmetric_numbers];
         Real closing(0), head(0);
         for (int axis = 0; axis < Dim; ++axis) {
-            v[axis] = a[axis] - b[axis];
+            v[axis] = a[velocity + axis] - b[velocity + axis];
             closing = closing + v[axis] * d[axis];
             head = head + Real(weight[axis]) * d[axis];
         }
-        const Real slope = kernel.slope_over_r(r), slope_a = a[4] * slope, slope_b = b[4] * slope;
-        const Real uneven = b[3] - a[3] + head, strain = closing * closing * reciprocal(r2 + Real(soft));
+        const Real slope = kernel.slope_over_r(r), slope_a = a[volume] * slope, slope_b = b[volume] * slope;
+        const Real uneven = b[pressure] - a[pressure] + head, strain = closing * closing * reciprocal(r2 + Real(soft));
         sum[at_diffusion] = sum[at_diffusion] - slope_b * uneven;
         back[at_diffusion] = back[at_diffusion] + slope_a * uneven;
         sum[at_strain_rate] = sum[at_strain_rate] - slope_b * strain;
@@ -59,34 +59,30 @@ struct Continuity {
             back[at_concentration + axis] = back[at_concentration + axis] - slope_a * d[axis];
         }
     }
-    template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
-        Real back[back_sums];
-        for (Real& number : back) {
-            number = Real(0);
-        }
-        exchange<Dim>(target, candidate, d, r2, r, sum, back);
-    }
 };
 
 /// Sums over walls likewise: M, G and the gradient of concentration as above, with the wall's own velocity and volume.
 /// No diffusion into walls.
 struct ContinuityAtWalls {
-    static constexpr int target_fields = 3;     ///< v
-    static constexpr int candidate_fields = 4;  ///< v, V
+    struct Water {
+        enum : int { velocity, count = velocity + 3 };
+    };
+    struct Wall {
+        enum : int { velocity, volume = velocity + 3, count };
+    };
+    static constexpr int target_fields = Water::count, candidate_fields = Wall::count;
     // Places of the sums.
     static constexpr int at_moments = 0, at_rates = symmetric_numbers, at_concentration = 2 * symmetric_numbers;
     static constexpr int sums = at_concentration + 3;
     WendlandC2 kernel;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real, Real r, Real* sum) const {
+    RIPRAP_HD void operator()(const Real* water, const Real* wall, const Real* d, Real, Real r, Real* sum) const {
         Real v[3], moment[symmetric_numbers], change[symmetric_numbers];
         for (int axis = 0; axis < Dim; ++axis) {
-            v[axis] = target[axis] - candidate[axis];
+            v[axis] = water[Water::velocity + axis] - wall[Wall::velocity + axis];
         }
-        const Real slope = candidate[3] * kernel.slope_over_r(r);
+        const Real slope = wall[Wall::volume] * kernel.slope_over_r(r);
         symmetric_square<Dim>(d, moment);
         symmetric_product<Dim>(d, v, change);
         for (int k = 0; k < symmetric_used<Dim>; ++k) {

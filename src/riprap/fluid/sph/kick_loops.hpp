@@ -6,7 +6,7 @@
 
 #include "riprap/fluid/particle/columns.hpp"
 #include "riprap/fluid/particle/numbers.hpp"
-#include "riprap/fluid/sph/push_places.hpp"
+#include "riprap/fluid/sph/sph_numbers.hpp"
 
 namespace riprap::fluid {
 
@@ -32,33 +32,30 @@ struct AddKickSums {
     }
 };
 
-/// Kicks one particle, see kick(). `Extra` gives the extra force on particle i [N].
+/// Kicks one particle, v += dt (V force + extra force)/m + dt g. `Extra` gives the extra force on particle i [N].
 template <class Extra>
 struct KickParticle {
     double particle_mass, dt;
     Vec3 gravity, downward;  ///< all of it, and the part that has a potential
     ParticleColumns water;
     NumbersView<1> volume;
-    NumbersView<6> pushes;
-    NumbersView<1> heat, wall_heat;
-    NumbersView<3> wall_hold;
-    NumbersView<1> wall_hold_power;
+    ForceSums sum;
     Extra extra_force;
 
     RIPRAP_HD KickSums operator()(std::int64_t entry) const {
         const auto i = static_cast<std::size_t>(entry);
         const double m = particle_mass, v = volume[i];
         const Vec3 extra = extra_force[i], along = gravity - downward;
-        const Vec3 acceleration = (v * pushes.vector(i, PushPlaces::at_force) + extra) / m + gravity;
+        const Vec3 acceleration = (v * sum.force.vector(i) + extra) / m + gravity;
         const Vec3 before = water.velocity[i], after = before + dt * acceleration;
         water.velocity[i] = after;
         KickSums sums;
         sums.kinetic = 0.5 * m * dot(before, after);
         sums.potential = -m * dot(downward, water.position[i]);
-        sums.heat = v * (0.5 * heat[i] + wall_heat[i]);
+        sums.heat = v * (0.5 * sum.heat[i] + sum.wall_heat[i]);
         // half of it along the velocity before the kick, half along that after it
-        const Vec3 hold = v * wall_hold.vector(i);
-        sums.exchange = dot(hold, after) - v * wall_hold_power[i];
+        const Vec3 hold = v * sum.wall_hold.vector(i);
+        sums.exchange = dot(hold, after) - v * sum.wall_hold_power[i];
         sums.earlier_exchange = 0.5 * dot(hold, before - after);
         sums.external = 0.5 * dot(extra + m * along, before + after);
         sums.speed_squared = norm_squared(after);

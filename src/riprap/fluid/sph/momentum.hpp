@@ -2,7 +2,7 @@
 #pragma once
 
 #include "riprap/fluid/particle/math.hpp"
-#include "riprap/fluid/sph/symmetric.hpp"
+#include "riprap/fluid/particle/symmetric.hpp"
 #include "riprap/fluid/sph/wall_averages.hpp"
 
 namespace riprap::fluid {
@@ -17,8 +17,15 @@ namespace riprap::fluid {
 /// one and the same kernel and the same corrections B (docs/theory/sph.md, 5 and 6).
 template <class Kernel, class Viscosity>
 struct Momentum {
-    static constexpr int target_fields = 6 + symmetric_numbers;  ///< v, V, mu, b, p B
-    static constexpr int candidate_fields = target_fields;       ///< the same
+    enum Field : int {
+        velocity,
+        volume = velocity + 3,
+        dynamic_viscosity,
+        bareness,
+        stress,  ///< p B
+        field_count = stress + symmetric_numbers,
+    };
+    static constexpr int target_fields = field_count, candidate_fields = field_count;
     // Places of the sums.
     static constexpr int at_force = 0, at_heat = 3, at_surface = 4;
     static constexpr int sums = 7, back_sums = 7;
@@ -28,35 +35,26 @@ struct Momentum {
     template <int Dim, class Real>
     RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real r, Real* sum, Real* back) const {
         const Real slope = kernel.slope_over_r(r);
-        Real v[3], viscous[3], stress[symmetric_numbers], push[3], heat(0);
+        Real v[3], viscous[3], pressed[symmetric_numbers], push[3], heat(0);
         for (int k = 0; k < symmetric_used<Dim>; ++k) {
-            stress[k] = a[6 + k] + b[6 + k];
+            pressed[k] = a[stress + k] + b[stress + k];
         }
-        symmetric_apply<Dim>(stress, d, push);
+        symmetric_apply<Dim>(pressed, d, push);
         for (int axis = 0; axis < Dim; ++axis) {
-            v[axis] = a[axis] - b[axis];
+            v[axis] = a[velocity + axis] - b[velocity + axis];
         }
-        viscosity.template add<Dim>(v, d, r2, r, slope, Real(1), a[4] + b[4], viscous);
-        const Real bare_a = a[3] * slope * a[5], bare_b = b[3] * slope * b[5];
+        viscosity.template add<Dim>(v, d, r2, r, slope, Real(1), a[dynamic_viscosity] + b[dynamic_viscosity], viscous);
+        const Real bare_a = a[volume] * slope * a[bareness], bare_b = b[volume] * slope * b[bareness];
         for (int axis = 0; axis < Dim; ++axis) {
             const Real force = viscous[axis] - slope * push[axis];
             heat = heat + viscous[axis] * v[axis];
-            sum[at_force + axis] = sum[at_force + axis] + b[3] * force;
-            back[at_force + axis] = back[at_force + axis] - a[3] * force;
+            sum[at_force + axis] = sum[at_force + axis] + b[volume] * force;
+            back[at_force + axis] = back[at_force + axis] - a[volume] * force;
             sum[at_surface + axis] = sum[at_surface + axis] + bare_b * d[axis];
             back[at_surface + axis] = back[at_surface + axis] - bare_a * d[axis];
         }
-        sum[at_heat] = sum[at_heat] - b[3] * heat;
-        back[at_heat] = back[at_heat] - a[3] * heat;
-    }
-    template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
-        Real back[back_sums];
-        for (Real& number : back) {
-            number = Real(0);
-        }
-        exchange<Dim>(target, candidate, d, r2, r, sum, back);
+        sum[at_heat] = sum[at_heat] - b[volume] * heat;
+        back[at_heat] = back[at_heat] - a[volume] * heat;
     }
 };
 
@@ -68,8 +66,26 @@ struct Momentum {
 ///     sums[7]    = sum V_w p_w F B_i d.v_w                   sums[4..6].v_i - sums[7] (docs/theory/sph.md, 6)
 template <class Kernel, class Viscosity>
 struct MomentumFromWalls {
-    static constexpr int target_fields = 5 + symmetric_numbers;  ///< v, p, mu, B
-    static constexpr int candidate_fields = 9;  ///< u_w, p_w, V_w, grip (0 on slippery walls, else 1), v_w
+    struct Water {
+        enum : int {
+            velocity,
+            pressure = velocity + 3,
+            dynamic_viscosity,
+            correction,
+            count = correction + symmetric_numbers,
+        };
+    };
+    struct Wall {
+        enum : int {
+            mirrored_velocity,
+            pressure = mirrored_velocity + 3,
+            volume,
+            grip,  ///< 0 on slippery walls, else 1
+            velocity,
+            count = velocity + 3,
+        };
+    };
+    static constexpr int target_fields = Water::count, candidate_fields = Wall::count;
     // Places of the sums.
     static constexpr int at_force = 0, at_heat = 3, at_hold = 4, at_hold_power = 7;
     static constexpr int sums = 8;
@@ -77,24 +93,23 @@ struct MomentumFromWalls {
     Viscosity viscosity;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
-        const Real unit_slope = kernel.slope_over_r(r), slope = candidate[4] * unit_slope;
+    RIPRAP_HD void operator()(const Real* water, const Real* wall, const Real* d, Real r2, Real r, Real* sum) const {
+        const Real unit_slope = kernel.slope_over_r(r), slope = wall[Wall::volume] * unit_slope;
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
-            v[axis] = target[axis] - candidate[axis];
+            v[axis] = water[Water::velocity + axis] - wall[Wall::mirrored_velocity + axis];
         }
-        viscosity.template add<Dim>(v, d, r2, r, unit_slope, candidate[4] * candidate[5], target[4] + target[4],
-                                    viscous);
+        const Real mu = water[Water::dynamic_viscosity];
+        viscosity.template add<Dim>(v, d, r2, r, unit_slope, wall[Wall::volume] * wall[Wall::grip], mu + mu, viscous);
         Real straight[3];
-        symmetric_apply<Dim>(target + 5, d, straight);
-        const Real push = (target[3] + candidate[3]) * slope;
+        symmetric_apply<Dim>(water + Water::correction, d, straight);
+        const Real push = (water[Water::pressure] + wall[Wall::pressure]) * slope;
         for (int axis = 0; axis < Dim; ++axis) {
-            const Real hold = candidate[3] * slope * straight[axis];
+            const Real hold = wall[Wall::pressure] * slope * straight[axis], v_w = wall[Wall::velocity + axis];
             sum[at_force + axis] = sum[at_force + axis] + (viscous[axis] - push * straight[axis]);
-            sum[at_heat] = sum[at_heat] - viscous[axis] * (target[axis] - candidate[6 + axis]);
+            sum[at_heat] = sum[at_heat] - viscous[axis] * (water[Water::velocity + axis] - v_w);
             sum[at_hold + axis] = sum[at_hold + axis] + hold;
-            sum[at_hold_power] = sum[at_hold_power] + hold * candidate[6 + axis];
+            sum[at_hold_power] = sum[at_hold_power] + hold * v_w;
         }
     }
 };
@@ -105,18 +120,20 @@ struct MomentumFromWalls {
 ///     sums[0..2] = sum V_j F B_j d,   sums[3..5] = sum V_j p_j F B_j d,   d = x_w - x_j.
 template <class Kernel>
 struct PressureOnWalls {
-    static constexpr int target_fields = 0;
-    static constexpr int candidate_fields = 2 + symmetric_numbers;  ///< p, V, B
+    struct Water {
+        enum : int { pressure, volume, correction, count = correction + symmetric_numbers };
+    };
+    static constexpr int target_fields = 0, candidate_fields = Water::count;
     // Places of the sums.
     static constexpr int at_slope = 0, at_push = 3;
     static constexpr int sums = 6;
     Kernel kernel;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real*, const Real* candidate, const Real* d, Real, Real r, Real* sum) const {
+    RIPRAP_HD void operator()(const Real*, const Real* water, const Real* d, Real, Real r, Real* sum) const {
         Real straight[3];
-        symmetric_apply<Dim>(candidate + 2, d, straight);
-        const Real slope = candidate[1] * kernel.slope_over_r(r), push = candidate[0] * slope;
+        symmetric_apply<Dim>(water + Water::correction, d, straight);
+        const Real slope = water[Water::volume] * kernel.slope_over_r(r), push = water[Water::pressure] * slope;
         for (int axis = 0; axis < Dim; ++axis) {
             sum[at_slope + axis] = sum[at_slope + axis] + slope * straight[axis];
             sum[at_push + axis] = sum[at_push + axis] + push * straight[axis];
@@ -127,43 +144,58 @@ struct PressureOnWalls {
 /// WallAverages and PressureOnWalls in one, which meet the same pairs.
 template <class Kernel>
 struct WaterOnWalls {
-    static constexpr int target_fields = 0;
-    static constexpr int candidate_fields = 6 + symmetric_numbers;  ///< v, p, rho, V, B
+    struct Water {
+        enum : int {
+            velocity = WallAverages::Water::velocity,
+            pressure = WallAverages::Water::pressure,
+            density = WallAverages::Water::density,
+            volume,
+            correction,
+            count = correction + symmetric_numbers,
+        };
+    };
+    static constexpr int target_fields = 0, candidate_fields = Water::count;
     static constexpr int sums = WallAverages::sums + PressureOnWalls<Kernel>::sums;
     WallAverages averages;
     PressureOnWalls<Kernel> pressure;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
-        averages.template operator()<Dim>(target, candidate, d, r2, r, sum);
-        Real pressed[PressureOnWalls<Kernel>::candidate_fields];
-        pressed[0] = candidate[3];
-        for (int k = 0; k < 1 + symmetric_numbers; ++k) {
-            pressed[1 + k] = candidate[5 + k];
+    RIPRAP_HD void operator()(const Real* none, const Real* water, const Real* d, Real r2, Real r, Real* sum) const {
+        averages.template operator()<Dim>(none, water, d, r2, r, sum);
+        using Pressing = typename PressureOnWalls<Kernel>::Water;
+        Real pressing[Pressing::count];
+        pressing[Pressing::pressure] = water[Water::pressure];
+        pressing[Pressing::volume] = water[Water::volume];
+        for (int k = 0; k < symmetric_numbers; ++k) {
+            pressing[Pressing::correction + k] = water[Water::correction + k];
         }
-        pressure.template operator()<Dim>(target, pressed, d, r2, r, sum + WallAverages::sums);
+        pressure.template operator()<Dim>(none, pressing, d, r2, r, sum + WallAverages::sums);
     }
 };
 
 /// And the viscous forces: that on wall particle w per V_w is sums[0..2] = sum V_j viscous force, d = x_w - x_j.
 template <class Kernel, class Viscosity>
 struct ViscosityOnWalls {
-    static constexpr int target_fields = 4;     ///< u_w, grip
-    static constexpr int candidate_fields = 5;  ///< v, V, mu
+    struct Wall {
+        enum : int { mirrored_velocity, grip = mirrored_velocity + 3, count };
+    };
+    struct Water {
+        enum : int { velocity, volume = velocity + 3, dynamic_viscosity, count };
+    };
+    static constexpr int target_fields = Wall::count, candidate_fields = Water::count;
     static constexpr int sums = 3;
     Kernel kernel;
     Viscosity viscosity;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
+    RIPRAP_HD void operator()(const Real* wall, const Real* water, const Real* d, Real r2, Real r, Real* sum) const {
         Real v[3], viscous[3];
         for (int axis = 0; axis < Dim; ++axis) {
-            v[axis] = target[axis] - candidate[axis];
+            v[axis] = wall[Wall::mirrored_velocity + axis] - water[Water::velocity + axis];
         }
-        viscosity.template add<Dim>(v, d, r2, r, kernel.slope_over_r(r), candidate[3] * target[3],
-                                    candidate[4] + candidate[4], viscous);
+        const Real mu = water[Water::dynamic_viscosity];
+        viscosity.template add<Dim>(v, d, r2, r, kernel.slope_over_r(r), water[Water::volume] * wall[Wall::grip],
+                                    mu + mu, viscous);
         for (int axis = 0; axis < Dim; ++axis) {
             sum[axis] = sum[axis] + viscous[axis];
         }

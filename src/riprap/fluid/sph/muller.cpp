@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/core/parallel.hpp"
-#include "riprap/fluid/sph/forces.hpp"
-#include "riprap/fluid/sph/kick.hpp"
-#include "riprap/fluid/sph/muller_kernels.hpp"
-#include "riprap/fluid/sph/schemes.hpp"
-#include "riprap/fluid/sph/wall_pressure.hpp"
+#include "riprap/fluid/sph/muller.hpp"
+
+#include "riprap/fluid/particle/zeros.hpp"
+#include "riprap/fluid/sph/density_sum.hpp"
 
 namespace riprap::fluid {
 namespace {
@@ -24,66 +22,53 @@ double lattice_excess(const SphSettings& settings, const Poly6Kernel& kernel) {
     return sum * settings.particle_mass / settings.rest_density;
 }
 
-void sum_density(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, SphScratchData& s) {
-    const DensitySum pair{Poly6Kernel(settings.support_radius(), settings.domain.dimension)};
-    const double scale = 1 / lattice_excess(settings, pair.kernel);
-    s.water.mass.fill(1, settings.is_plain, {scale * settings.particle_mass});
-    s.walls.mass.resize(walls.position.size(), settings.is_plain);
-    for (std::size_t w = 0; w < s.walls.mass.size(); ++w) {
-        s.walls.mass.set(w, scale * settings.rest_density * walls.volume[w]);
-    }
-    make_zero(state.density, state.position.size());
-    add_pair_sums_within(settings, pair, {state.position, {s.water.mass.view()}}, {sink(state.density)},
-                         s.lists.fluid_fluid);
-    add_pair_sums(settings, pair, {state.position, {s.water.mass.view()}}, {walls.position, {s.walls.mass.view()}},
-                  {sink(state.density)}, s.lists.fluid_walls);
-}
-
-SpikyKernel spiky(const SphSettings& settings) { return {settings.support_radius(), settings.domain.dimension}; }
-
-/// Calls work(pair) with the viscosity of the case between pairs of particles.
-template <class Work>
-void with_viscosity(const SphSettings& settings, const Work& work) {
-    settings.viscosity.visit([&](const auto& law) { work(law.pair(settings, spiky(settings))); });
-}
-
-void begin_forces(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls,
-                  SphScratchData& s) {
-    s.lists.place({settings.support_radius(), settings.domain}, state.position, walls.position);
-    sum_density(settings, state, walls, s);
-    find_pressure(settings, columns_of(state), s.water);
-    const double nu = settings.viscosity.visit([&](const auto& law) { return law.kinematic(settings, 0); });
-    const auto count = state.position.size();
-    s.water.dynamic_viscosity.fill(1, settings.is_plain, {settings.rest_density * nu});
-    s.water.bareness.fill(count, settings.is_plain, {0});
-    s.water.correction.fill(count, settings.is_plain, unit_tensor);  // gradients are left as they are
-    make_room_for_forces(settings, state.size(), s.forces);
-    s.forces.wall_heat.fill(count, settings.is_plain, {0});
-    sum_at_walls(settings, spiky(settings), columns_of(state), columns_of(walls), s);
-    with_viscosity(settings,
-                   [&](const auto& law) { add_fluid_forces(settings, spiky(settings), columns_of(state), law, s); });
-}
-
-void load_walls(const SphSettings& settings, const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity,
-                SphScratchData& s) {
-    const WallColumns at = columns_of(walls);
-    extrapolate_to_walls(settings, s.at_walls, gravity, at, s.walls);
-    with_viscosity(settings, [&](const auto& law) {
-        find_forces_on_walls(settings, spiky(settings), columns_of(state), at, law, s);
-    });
-}
-
-void kick_fluid(const SphSettings& settings, ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                double dt, SphScratchData& s, FluidReport& report, const SparseVectors& extra_force) {
-    with_viscosity(settings, [&](const auto& law) {
-        add_forces_from_walls(settings, spiky(settings), columns_of(state), columns_of(walls), law, s);
-    });
-    kick(settings, state, gravity, dt, s, extra_force, report);
-    book_walls(walls, dt, report);
-}
-
 }  // namespace
 
-const Scheme muller_scheme{nullptr, begin_forces, load_walls, kick_fluid};
+void Muller::sum_density(ParticleState& state, const BoundaryParticles& walls) {
+    const DensitySum pair{Poly6Kernel(settings_.support_radius(), settings_.domain.dimension)};
+    const double scale = 1 / lattice_excess(settings_, pair.kernel);
+    mass_.fill(1, settings_.is_plain, {scale * settings_.particle_mass});
+    wall_mass_.resize(walls.position.size(), settings_.is_plain);
+    for (std::size_t w = 0; w < wall_mass_.size(); ++w) {
+        wall_mass_.set(w, scale * settings_.rest_density * walls.volume[w]);
+    }
+    make_zeros(state.position.size(), state.density);
+    const auto water = side(state.position, mass_);
+    add_pair_sums_within(settings_, pair, water, sinks(state.density), site_.lists().fluid_fluid);
+    add_pair_sums(settings_, pair, water, side(walls.position, wall_mass_), sinks(state.density),
+                  site_.lists().fluid_walls);
+}
+
+void Muller::begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
+                          const Vec3& /*gravity*/, FluidReport& report) {
+    find_lost_particle(settings_, state, span.time, report);
+    if (!report.problem.empty()) {
+        return;
+    }
+    site_.take_for_forces(reach_of(settings_), state, walls);
+    sum_density(state, walls);
+    const ParticleColumns fluid = site_.water(state);
+    find_pressure(fluid);
+    const double nu = settings_.viscosity.visit([&](const auto& law) { return law.kinematic(settings_, 0); });
+    water_.dynamic_viscosity.fill(1, settings_.is_plain, {settings_.rest_density * nu});
+    water_.bareness.fill(1, settings_.is_plain, {0});
+    stage_.resize(state.position.size(), settings_.is_plain, SphPlaces::count);
+    corrections_ = lend_corrections(stage_);
+    forces_ = lend_force_sums(stage_);
+    Where::for_each(fluid.count, FillNumbers<symmetric_numbers>{corrections_.tensor, unit_tensor});  // none
+    Where::for_each(fluid.count, FillNumbers<1>{forces_.wall_heat, {0}});
+    sum_at_walls(fluid, site_.walls(walls));
+    sum_fluid_forces(fluid);
+}
+
+void Muller::load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) {
+    load(site_.water(state), site_.walls_to_load(walls), in_plane(gravity, settings_.domain));
+}
+
+void Muller::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
+                  const SparseVectors& extra_force, FluidReport& report) {
+    add_forces_from_walls(site_.water(state), site_.walls(walls));
+    finish_kick(state, walls, in_plane(gravity, settings_.domain), span, extra_force, report);
+}
 
 }  // namespace riprap::fluid

@@ -56,25 +56,4 @@ struct LaplacianKernel {
     }
 };
 
-/// rho_i = sum m W: sums[0] = sum mass_j W, the particle itself included.
-struct DensitySum {
-    static constexpr int target_fields = 1;     ///< mass
-    static constexpr int candidate_fields = 1;  ///< the same
-    static constexpr int sums = 1, back_sums = 1;
-    Poly6Kernel kernel;
-
-    template <int Dim, class Real>
-    RIPRAP_HD void exchange(const Real* a, const Real* b, const Real*, Real r2, Real, Real* sum, Real* back) const {
-        const Real weight = kernel.value_at(r2);
-        sum[0] = sum[0] + b[0] * weight;
-        back[0] = back[0] + a[0] * weight;
-    }
-    template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
-        Real back[back_sums] = {Real(0)};
-        exchange<Dim>(target, candidate, d, r2, r, sum, back);
-    }
-};
-
 }  // namespace riprap::fluid

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
 #include "riprap/fluid/particle/particle_settings.hpp"
@@ -13,6 +14,8 @@ struct MethodKeys;  // core/key.hpp
 }
 
 namespace riprap::fluid {
+
+class ParticleScheme;  // particle/particle_scheme.hpp
 
 enum class SphScheme : std::uint8_t { delta_sph, muller };
 
@@ -33,7 +36,6 @@ struct SphSettings : ParticleSettings {
     double acoustic_damping{1};      ///< a of the bulk viscosity that damps sound [-]; 0 = off
     double shifting{10};             ///< A of the particle shifting [-]; 0 = off
     bool gradient_correction{true};  ///< density follows the divergence inside the water
-    bool is_plain{false};            ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
     /// Follows from the keys of a case once they are read.
     void complete() {
@@ -47,5 +49,8 @@ struct SphSettings : ParticleSettings {
     /// Müller's scheme has no loops for a device, nor have sums in double.
     bool is_on_device() const { return runs_on == RunsOn::device && scheme == SphScheme::delta_sph && !is_plain; }
 };
+
+/// Makes the scheme of these settings, which have to outlive it.
+std::unique_ptr<ParticleScheme> make_scheme(const SphSettings& settings);
 
 }  // namespace riprap::fluid

@@ -22,7 +22,8 @@ inline constexpr int tensor_numbers = 9;
 
 /// sums[3 a + b] = G_ab [1/s]
 struct VelocityGradient {
-    static constexpr int target_fields = 4, candidate_fields = 4;  ///< v, V
+    enum Field : int { velocity, volume = velocity + 3, field_count };
+    static constexpr int target_fields = field_count, candidate_fields = field_count;
     static constexpr int sums = tensor_numbers, back_sums = tensor_numbers;
     WendlandC2 kernel;
 
@@ -30,37 +31,34 @@ struct VelocityGradient {
     RIPRAP_HD void exchange(const Real* i, const Real* j, const Real* d, Real, Real r, Real* sum, Real* back) const {
         const Real slope = kernel.slope_over_r(r);
         for (int a = 0; a < Dim; ++a) {
-            const Real rate = slope * (j[a] - i[a]);
+            const Real rate = slope * (j[velocity + a] - i[velocity + a]);
             for (int b = 0; b < Dim; ++b) {
-                sum[3 * a + b] = sum[3 * a + b] + j[3] * rate * d[b];
-                back[3 * a + b] = back[3 * a + b] + i[3] * rate * d[b];
+                sum[3 * a + b] = sum[3 * a + b] + j[volume] * rate * d[b];
+                back[3 * a + b] = back[3 * a + b] + i[volume] * rate * d[b];
             }
         }
-    }
-    template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
-        Real back[back_sums];
-        for (Real& number : back) {
-            number = Real(0);
-        }
-        exchange<Dim>(target, candidate, d, r2, r, sum, back);
     }
 };
 
 /// The same of walls, with the mirrored velocity u_w.
 struct VelocityGradientAtWalls {
-    static constexpr int target_fields = 3;     ///< v
-    static constexpr int candidate_fields = 5;  ///< u_w, V_w, grip
+    struct Water {
+        enum : int { velocity, count = velocity + 3 };
+    };
+    struct Wall {
+        enum : int { mirrored_velocity, volume = mirrored_velocity + 3, grip, count };
+    };
+    static constexpr int target_fields = Water::count, candidate_fields = Wall::count;
     static constexpr int sums = tensor_numbers;
     WendlandC2 kernel;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real, Real r, Real* sum) const {
-        const Real slope = kernel.slope_over_r(r) * candidate[3] * candidate[4];
+    RIPRAP_HD void operator()(const Real* water, const Real* wall, const Real* d, Real, Real r, Real* sum) const {
+        const Real slope = kernel.slope_over_r(r) * wall[Wall::volume] * wall[Wall::grip];
         for (int a = 0; a < Dim; ++a) {
+            const Real change = wall[Wall::mirrored_velocity + a] - water[Water::velocity + a];
             for (int b = 0; b < Dim; ++b) {
-                sum[3 * a + b] = sum[3 * a + b] + slope * (candidate[a] - target[a]) * d[b];
+                sum[3 * a + b] = sum[3 * a + b] + slope * change * d[b];
             }
         }
     }
@@ -79,69 +77,76 @@ RIPRAP_HD void tensor_apply(const Real* tensor, const Real* d, Real* out) {
 
 /// sums[0..2] = sum V_j (tau_i + tau_j) F d [N/m^3], sums[3] = -sum V_j (that force . v), twice the heat [W/m^3]
 struct TransposedStress {
-    static constexpr int target_fields = 4 + tensor_numbers, candidate_fields = target_fields;  ///< v, V, tau
-    static constexpr int sums = 4, back_sums = 4;
+    enum Field : int { velocity, volume = velocity + 3, stress, field_count = stress + tensor_numbers };
+    static constexpr int target_fields = field_count, candidate_fields = field_count;
+    // Places of the sums.
+    static constexpr int at_force = 0, at_heat = 3;
+    static constexpr int sums = 4, back_sums = sums;
     WendlandC2 kernel;
 
     template <int Dim, class Real>
     RIPRAP_HD void exchange(const Real* i, const Real* j, const Real* d, Real, Real r, Real* sum, Real* back) const {
         const Real slope = kernel.slope_over_r(r);
-        Real stress[tensor_numbers], force[3], heat(0);
+        Real both[tensor_numbers], force[3], heat(0);
         for (int k = 0; k < 3 * Dim; ++k) {
-            stress[k] = i[4 + k] + j[4 + k];
+            both[k] = i[stress + k] + j[stress + k];
         }
-        tensor_apply<Dim>(stress, d, force);
+        tensor_apply<Dim>(both, d, force);
         for (int a = 0; a < Dim; ++a) {
             force[a] = slope * force[a];
-            heat = heat + force[a] * (i[a] - j[a]);
-            sum[a] = sum[a] + j[3] * force[a];
-            back[a] = back[a] - i[3] * force[a];
+            heat = heat + force[a] * (i[velocity + a] - j[velocity + a]);
+            sum[at_force + a] = sum[at_force + a] + j[volume] * force[a];
+            back[at_force + a] = back[at_force + a] - i[volume] * force[a];
         }
-        sum[3] = sum[3] - j[3] * heat;
-        back[3] = back[3] - i[3] * heat;
-    }
-    template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real r2, Real r,
-                              Real* sum) const {
-        Real back[back_sums];
-        for (Real& number : back) {
-            number = Real(0);
-        }
-        exchange<Dim>(target, candidate, d, r2, r, sum, back);
+        sum[at_heat] = sum[at_heat] - j[volume] * heat;
+        back[at_heat] = back[at_heat] - i[volume] * heat;
     }
 };
 
 /// sums[0..2] = sum V_w 2 tau_i F d [N/m^3], sums[3] = -sum V_w (that force . (v_i - v_w)) [W/m^3]
 struct TransposedFromWalls {
-    static constexpr int target_fields = 3 + tensor_numbers;  ///< v, tau
-    static constexpr int candidate_fields = 5;                ///< v_w, V_w, grip
+    struct Water {
+        enum : int { velocity, stress = velocity + 3, count = stress + tensor_numbers };
+    };
+    struct Wall {
+        enum : int { velocity, volume = velocity + 3, grip, count };
+    };
+    static constexpr int target_fields = Water::count, candidate_fields = Wall::count;
+    // Places of the sums.
+    static constexpr int at_force = 0, at_heat = 3;
     static constexpr int sums = 4;
     WendlandC2 kernel;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real, Real r, Real* sum) const {
-        const Real slope = Real(2) * kernel.slope_over_r(r) * candidate[3] * candidate[4];
+    RIPRAP_HD void operator()(const Real* water, const Real* wall, const Real* d, Real, Real r, Real* sum) const {
+        const Real slope = Real(2) * kernel.slope_over_r(r) * wall[Wall::volume] * wall[Wall::grip];
         Real force[3];
-        tensor_apply<Dim>(target + 3, d, force);
+        tensor_apply<Dim>(water + Water::stress, d, force);
         for (int a = 0; a < Dim; ++a) {
-            sum[a] = sum[a] + slope * force[a];
-            sum[3] = sum[3] - slope * force[a] * (target[a] - candidate[a]);
+            const Real v = water[Water::velocity + a] - wall[Wall::velocity + a];
+            sum[at_force + a] = sum[at_force + a] + slope * force[a];
+            sum[at_heat] = sum[at_heat] - slope * force[a] * v;
         }
     }
 };
 
 /// The opposite, per V_w: sums[0..2] = sum V_j 2 tau_j F d, d = x_w - x_j.
 struct TransposedOnWalls {
-    static constexpr int target_fields = 1;                      ///< grip
-    static constexpr int candidate_fields = 1 + tensor_numbers;  ///< V, tau
+    struct Wall {
+        enum : int { grip, count };
+    };
+    struct Water {
+        enum : int { volume, stress, count = stress + tensor_numbers };
+    };
+    static constexpr int target_fields = Wall::count, candidate_fields = Water::count;
     static constexpr int sums = 3;
     WendlandC2 kernel;
 
     template <int Dim, class Real>
-    RIPRAP_HD void operator()(const Real* target, const Real* candidate, const Real* d, Real, Real r, Real* sum) const {
-        const Real slope = Real(2) * kernel.slope_over_r(r) * candidate[0] * target[0];
+    RIPRAP_HD void operator()(const Real* wall, const Real* water, const Real* d, Real, Real r, Real* sum) const {
+        const Real slope = Real(2) * kernel.slope_over_r(r) * water[Water::volume] * wall[Wall::grip];
         Real force[3];
-        tensor_apply<Dim>(candidate + 1, d, force);
+        tensor_apply<Dim>(water + Water::stress, d, force);
         for (int a = 0; a < Dim; ++a) {
             sum[a] = sum[a] + slope * force[a];
         }

@@ -11,7 +11,7 @@
 
 namespace riprap::fluid {
 
-/// Mirrors the velocity of the water in a wall, see extrapolate_to_walls.
+/// Mirrors the velocity of the water in a wall, see SphForces::load.
 struct MirrorVelocity {
     WallColumns walls;
     NumbersView<1> weight;
@@ -37,6 +37,23 @@ struct PressureAtWall {
         const double sum = weight[w];
         const double head = dot(pull, moment.vector(w));
         return sum > 0 ? std::max(0.0, (pressure[w] + head) / sum) : 0;
+    }
+};
+
+/// Describes the water about a wall particle under this gravity, as WaterAtWalls has it.
+struct DescribeWall {
+    PressureAtWall at_wall;
+    NumbersView<3> slope;
+    Vec3 gravity;
+    double* weight_there;
+    double* pressure_there;
+    Vec3* slope_there;
+
+    RIPRAP_HD void operator()(std::int64_t entry) const {
+        const auto w = static_cast<std::size_t>(entry);
+        weight_there[w] = at_wall.weight[w];
+        slope_there[w] = slope.vector(w);
+        pressure_there[w] = at_wall(w, gravity);
     }
 };
 

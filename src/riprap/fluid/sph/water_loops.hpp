@@ -10,8 +10,8 @@
 #include "riprap/fluid/particle/numbers.hpp"
 #include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"
-#include "riprap/fluid/sph/push_places.hpp"
 #include "riprap/fluid/sph/shifting.hpp"
+#include "riprap/fluid/sph/sph_numbers.hpp"
 #include "riprap/fluid/sph/tearing.hpp"
 
 namespace riprap::fluid {
@@ -41,15 +41,14 @@ struct LookAround {
     int dimension;
     double h;
     NumbersView<3> concentration_gradient;
-    NumbersView<6> moments;
-    NumbersView<1> correction_share, damped_share;
+    DensitySums sums;
 
     RIPRAP_HD void operator()(std::int64_t entry) const {
         const auto i = static_cast<std::size_t>(entry);
-        const double sum = trace(dimension, moments.all(i));
+        const double sum = trace(dimension, sums.moments.all(i));
         const double lopsidedness = h * norm(concentration_gradient.vector(i));
-        correction_share.set(i, sum);
-        damped_share.set(i, interior_share(sum / dimension) * even_share(lopsidedness));
+        sums.moments_alone.set(i, sum);
+        sums.inside.set(i, interior_share(sum / dimension) * even_share(lopsidedness));
     }
 };
 
@@ -72,16 +71,14 @@ struct AdvanceDensity {
     PressureLaw pressure_at;
     double* density;
     const double* dilution;
-    NumbersView<1> diffusion;
-    NumbersView<6> rates;
-    // Receive what forces read; before, they hold the sums named in WaterFields.
-    NumbersView<6> correction;
-    NumbersView<1> correction_share, damped_share, bareness, compression_rate;
+    DensitySums sums;
+    Corrections corrections;  ///< may have the places of the sums
+    NumbersView<1> bareness;
 
     RIPRAP_HD Losses operator()(std::int64_t entry) const {
         const auto i = static_cast<std::size_t>(entry);
-        const Symmetric moments = correction.all(i);
-        const double divergence = trace(dimension, moments), alone = correction_share[i];
+        const Symmetric moments = sums.moments.all(i);
+        const double divergence = trace(dimension, moments), alone = sums.moments_alone[i];
         const double bare = bareness_of_particle(dimension, divergence);
         const bool leaves_wall = may_leave_walls(bare, bareness_of_particle(dimension, alone), divergence / dimension);
         const double caught = caught_share(alone / dimension, divergence / dimension);
@@ -89,9 +86,9 @@ struct AdvanceDensity {
         bareness.set(i, bare);
         const double before = density[i];
         const double diluted = density_after_shift(before, dilution[i], rest_density);
-        const double spread = dt * diluted * diffusivity * diffusion[i];
-        const double rate = contract(dimension, correction.all(i), rates.all(i));
-        compression_rate.set(i, rate);
+        const double spread = dt * diluted * diffusivity * sums.diffusion[i];
+        const double rate = contract(dimension, corrections.tensor.all(i), sums.rates.all(i));
+        corrections.compression_rate.set(i, rate);
         const double flown = diluted + dt * diluted * rate + spread;
         const double torn = density_by_tearing(bare, leaves_wall, flown, rest_density) +
                             density_by_escape(caught, flown, rest_density, gone);
@@ -108,10 +105,10 @@ struct AdvanceDensity {
         const GradientCorrection found =
             corrects_gradients ? gradient_correction(dimension, moments) : GradientCorrection{make_unit_tensor(), 0};
         for (std::size_t k = 0; k < found.tensor.size(); ++k) {
-            correction.set(i, k, (1 - caught) * found.tensor[k]);
+            corrections.tensor.set(i, k, (1 - caught) * found.tensor[k]);
         }
-        correction_share.set(i, found.share);
-        damped_share.set(i, damped_share[i] * found.share);
+        corrections.share.set(i, found.share);
+        corrections.damped.set(i, sums.inside[i] * found.share);
     }
 };
 
@@ -123,7 +120,8 @@ struct PrepareForces {
     PressureLaw pressure_at;
     double resistance;  ///< of the damping of sound [Pa s]
     const double* density;
-    NumbersView<1> strain, damped_share, compression_rate;
+    NumbersView<1> strain;
+    Corrections corrections;
     NumbersView<1> dynamic_viscosity, volume, pressure, heat;
 
     RIPRAP_HD void operator()(std::int64_t entry) const {
@@ -133,8 +131,8 @@ struct PrepareForces {
             dynamic_viscosity.set(i, settings.rest_density * law.kinematic(settings, rate));
         }
         volume.set(i, settings.particle_mass / density[i]);
-        const double damping = resistance * damped_share[i] * compression_rate[i];
-        heat.set(i, damping * compression_rate[i]);
+        const double damping = resistance * corrections.damped[i] * corrections.compression_rate[i];
+        heat.set(i, damping * corrections.compression_rate[i]);
         pressure.set(i, pressure_at(density[i]) + damping);
     }
 };
@@ -159,13 +157,13 @@ struct ShiftParticle {
     double* dilution;
     NumbersView<3> concentration_gradient;
     NumbersView<1> strain, bareness, correction_share;
-    NumbersView<6> pushes;
+    NumbersView<3> to_surface;
 
     RIPRAP_HD Shifted operator()(std::int64_t entry) const {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 gradient = concentration_gradient.vector(i);
-        const Vec3 shift = shift_of_particle(strength, h, gradient, pushes.vector(i, PushPlaces::at_surface),
-                                             bareness[i], strain_rate(dimension, strain[i]), dt);
+        const Vec3 shift = shift_of_particle(strength, h, gradient, to_surface.vector(i), bareness[i],
+                                             strain_rate(dimension, strain[i]), dt);
         position[i] += shift;
         dilution[i] = dilution_by_shift(shift, gradient, correction_share[i]);
         return {particle_mass * dot(gravity, shift), norm_squared(shift)};

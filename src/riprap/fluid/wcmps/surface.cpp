@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/wcmps/surface.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/wcmps/continuity.hpp"
-#include "riprap/fluid/wcmps/pair_sums.hpp"
+#include "riprap/fluid/mps_operators/collision.hpp"
+#include "riprap/fluid/particle/pair_sums.hpp"
+#include "riprap/fluid/particle/zeros.hpp"
+#include "riprap/fluid/wcmps/surface_limits.hpp"
+#include "riprap/fluid/wcmps/surface_pairs.hpp"
+#include "riprap/fluid/wcmps/wcmps.hpp"
 
-namespace riprap::fluid::wcmps {
+namespace riprap::fluid {
+
 namespace {
 
 double square(double a) { return a * a; }
 
 /// E, F or, for the time being, I.
 SurfaceClass class_alone(const MpsLattice& lattice, double crowding, double neighbours, double in_front) {
-    if (crowding < splash_limit) {
+    if (crowding < wcmps::splash_limit) {
         return SurfaceClass::splash;
     }
     // in_front is a sum of ones
-    const bool is_open = in_front < 0.5 || neighbours < neighbour_limit * lattice.neighbours;
-    return crowding <= surface_limit && is_open ? SurfaceClass::surface : SurfaceClass::internal;
+    const bool is_open = in_front < 0.5 || neighbours < wcmps::neighbour_limit * lattice.neighbours;
+    return crowding <= wcmps::surface_limit && is_open ? SurfaceClass::surface : SurfaceClass::internal;
 }
 
 /// Returns the part of a shift that a class allows.
@@ -38,94 +41,97 @@ Vec3 along_surface(SurfaceClass surface, const Vec3& normal, const Vec3& inner_n
     return keeps_inward ? shift : shift - outward * n;
 }
 
+/// Longest shift and energy of place that its first half took away.
+struct Shifting {
+    double potential{0};        ///< [J]
+    double longest_squared{0};  ///< [m^2]
+};
+
 }  // namespace
 
-void classify(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& s) {
+void Wcmps::classify(const ParticleState& state) {
     const auto count = state.position.size();
-    const MpsLattice lattice = settings.lattice();
-    s.surface.classes.resize(count);
-    s.surface.is_surface.resize(count);
-    s.surface.normal.resize(count);
+    surface_.classes.resize(count);
+    surface_.is_surface.resize(count);
+    surface_.normal.resize(count);
     parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        s.surface.classes[i] =
-            class_alone(lattice, s.continuity.crowding[i], s.continuity.neighbours[i], s.forces.in_front[i]);
-        const bool is_surface = s.surface.classes[i] == SurfaceClass::surface;
-        s.surface.is_surface[i] = is_surface ? 1 : 0;
-        s.surface.normal[i] = is_surface ? s.continuity.normal[i] : Vec3{};
+        surface_.classes[i] =
+            class_alone(lattice_, continuity_.crowding[i], continuity_.neighbours[i], forces_.in_front[i]);
+        const bool is_surface = surface_.classes[i] == SurfaceClass::surface;
+        surface_.is_surface[i] = is_surface ? 1 : 0;
+        surface_.normal[i] = is_surface ? continuity_.normal[i] : Vec3{};
     });
-    clear(s.surface.adjacent, count);
-    clear(s.surface.inner_normal, count);
-    const auto n = [&](int axis) { return component(s.surface.normal, axis); };
-    const auto inner = [&](int axis) { return sink_component(s.surface.inner_normal, axis); };
-    add_pair_sums_within(settings, MpsSurface{settings.weight(), square(2.1 * settings.spacing)},
-                         {state.position, {field(s.surface.is_surface), n(0), n(1), n(2)}},
-                         {sink(s.surface.adjacent), inner(0), inner(1), inner(2)}, s.lists.fluid_fluid);
+    make_zeros(count, surface_.adjacent, surface_.inner_normal);
+    add_pair_sums_within(settings_, wcmps::MpsSurface{weight_, square(2.1 * settings_.spacing)},
+                         side(state.position, surface_.is_surface, surface_.normal),
+                         sinks(surface_.adjacent, surface_.inner_normal), lists_.fluid_fluid);
     parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        if (s.surface.classes[i] == SurfaceClass::internal && s.surface.adjacent[i] > 0.5) {
-            s.surface.classes[i] = SurfaceClass::near;
+        if (surface_.classes[i] == SurfaceClass::internal && surface_.adjacent[i] > 0.5) {
+            surface_.classes[i] = SurfaceClass::near;
         }
     });
 }
 
-bool find_collisions(const WcmpsSettings& settings, const ParticleState& state, WcmpsScratchData& s) {
+bool Wcmps::find_collisions(const ParticleState& state) {
     const auto count = state.position.size();
-    const double l = settings.spacing, contact = square(settings.collision_distance * l);
-    const auto v = [&](int axis) { return component(state.velocity, axis); };
-    s.collisions.share.resize(count);
-    const double size = 0.5 * (1 + settings.collision_ratio);
+    const double l = settings_.spacing, contact = square(settings_.collision_distance * l);
+    collisions_.share.resize(count);
+    const double size = 0.5 * (1 + settings_.collision_ratio);
     parallel::for_each(state.owned(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const bool may = s.surface.classes[i] == SurfaceClass::surface || s.surface.classes[i] == SurfaceClass::near;
-        s.collisions.share[i] = may ? size : 0;
+        const bool may = surface_.classes[i] == SurfaceClass::surface || surface_.classes[i] == SurfaceClass::near;
+        collisions_.share[i] = may ? size : 0;
     });
-    clear(s.surface.approaching, count);
-    add_pair_sums_within(settings, MpsApproach{contact},
-                         {state.position, {v(0), v(1), v(2), field(s.collisions.share)}}, {sink(s.surface.approaching)},
-                         s.lists.fluid_fluid);
+    make_zeros(count, surface_.approaching);
+    add_pair_sums_within(settings_, wcmps::MpsApproach{contact},
+                         side(state.position, state.velocity, collisions_.share), sinks(surface_.approaching),
+                         lists_.fluid_fluid);
     const double most = parallel::reduce(
         state.owned(), 0.0,
         [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
-            const double approaching = s.surface.approaching[i];
-            s.collisions.share[i] = approaching > 0.5 ? s.collisions.share[i] / approaching : 0;
-            return s.collisions.share[i];
+            const double approaching = surface_.approaching[i];
+            collisions_.share[i] = approaching > 0.5 ? collisions_.share[i] / approaching : 0;
+            return collisions_.share[i];
         },
         [](double a, double b) { return std::max(a, b); });
     if (most == 0) {
         return false;
     }
-    clear(s.collisions.change, count);
-    const auto c = [&](int axis) { return sink_component(s.collisions.change, axis); };
-    add_pair_sums_within(settings, MpsCollision{contact, 1e-8 * l * l},
-                         {state.position, {v(0), v(1), v(2), field(s.collisions.share)}}, {c(0), c(1), c(2)},
-                         s.lists.fluid_fluid);
+    make_zeros(count, collisions_.change);
+    add_pair_sums_within(settings_, MpsCollision{contact, 1e-8 * l * l},
+                         side(state.position, state.velocity, collisions_.share), sinks(collisions_.change),
+                         lists_.fluid_fluid);
     return true;
 }
 
-Shifting shift(const WcmpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
-               const WcmpsScratchData& s) {
-    if (settings.shifting == 0) {
-        return {};
+void Wcmps::shift(ParticleState& state, const Vec3& gravity, double dt, FluidReport& report) const {
+    if (settings_.shifting == 0) {
+        report.max_shift = 0;
+        return;
     }
-    const double bound = 0.5 / settings.lattice().wave_stiffness;
+    const double bound = 0.5 / lattice_.wave_stiffness;
     state.shift.resize(state.position.size());
-    const double longest = 0.1 * settings.spacing;
+    const double longest = 0.1 * settings_.spacing;
     const auto shift_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        const double strength = std::min(settings.shifting * 2 * settings.spacing * dt * s.continuity.stir[i], bound);
-        Vec3 move = along_surface(s.surface.classes[i], s.continuity.normal[i], s.surface.inner_normal[i],
-                                  -strength * s.forces.crowding_gradient[i]);
+        const double strength = std::min(settings_.shifting * 2 * settings_.spacing * dt * continuity_.stir[i], bound);
+        Vec3 move = along_surface(surface_.classes[i], continuity_.normal[i], surface_.inner_normal[i],
+                                  -strength * forces_.crowding_gradient[i]);
         const double length = norm(move);
         move *= length > longest ? longest / length : 1;
         state.shift[i] = 0.5 * move;
         state.position[i] += state.shift[i];
-        return Shifting{settings.particle_mass * dot(gravity, state.shift[i]), norm_squared(move)};
+        return Shifting{settings_.particle_mass * dot(gravity, state.shift[i]), norm_squared(move)};
     };
-    return parallel::reduce(state.owned(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
-        return Shifting{a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
-    });
+    const Shifting all =
+        parallel::reduce(state.owned(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
+            return Shifting{a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
+        });
+    report.shifted += all.potential;
+    report.max_shift = std::sqrt(all.longest_squared);
 }
 
-}  // namespace riprap::fluid::wcmps
+}  // namespace riprap::fluid

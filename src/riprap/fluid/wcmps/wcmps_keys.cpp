@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/core/key.hpp"
-#include "riprap/fluid/particle/mps_keys.hpp"
+#include "riprap/fluid/mps_operators/mps_keys.hpp"
 #include "riprap/fluid/particle/particle_keys.hpp"
 #include "riprap/fluid/wcmps/wcmps_settings.hpp"
 

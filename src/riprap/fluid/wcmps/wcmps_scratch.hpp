@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Buffers of WC-MPS, one entry per particle, grouped by the stage that writes them (sums: pair_sums.hpp). Each group is
-// made anew in every step; only the lists of neighbours are kept for speed.
+// Buffers of WC-MPS, one entry per particle, grouped by the stage that writes them (sums: the headers of pairs). Each
+// group is made anew in every step; only the lists of neighbours are kept for speed.
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "riprap/core/bytes.hpp"
-#include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/mps_lattice.hpp"
-#include "riprap/fluid/particle/mps_weight.hpp"
-#include "riprap/fluid/particle/sweep_lists.hpp"
-#include "riprap/fluid/sph/symmetric.hpp"
-#include "riprap/fluid/wcmps/wall_opening.hpp"
-#include "riprap/fluid/wcmps/wcmps_step.hpp"
+#include "riprap/fluid/mps_operators/wall_opening.hpp"
+#include "riprap/fluid/particle/symmetric.hpp"
 
 namespace riprap::fluid {
+
+/// Where a particle lies relative to the free surface [JandaghianShakibaeinia2020].
+enum class SurfaceClass : std::uint8_t {
+    internal,  ///< I
+    near,      ///< B: a particle of the surface within 2.1 l_0
+    surface,   ///< F
+    splash,    ///< E: C < 0.4
+};
 
 /// Follows from the density: read by all sums.
 struct WcmpsWater {
@@ -79,7 +82,7 @@ struct WcmpsWalls {
     std::vector<std::uint8_t> is_given;   ///< has a pressure of its own
     std::vector<double> mirrors;          ///< m
     std::vector<double> stands_still;     ///< 1 where nothing moves it, else 0
-    wcmps::WallOpenings openings;         ///< of the last density
+    MpsWallOpenings openings;             ///< of the last density
     std::vector<double> averaged;         ///< A [Pa]
     std::vector<double> held;             ///< H [Pa]
     std::vector<Vec3> head;               ///< h [Pa/m]
@@ -103,29 +106,5 @@ struct WcmpsAtWalls {
 
     std::size_t bytes() const { return bytes_of(weight, pressure, moment, velocity, slope, push, spread); }
 };
-
-struct WcmpsScratchData {
-    WcmpsWater water;
-    WcmpsContinuity continuity;
-    WcmpsForces forces;
-    WcmpsSurface surface;
-    WcmpsCollisions collisions;
-    WcmpsWalls walls;
-    WcmpsAtWalls at_walls;
-    SweepLists lists;
-
-    std::size_t bytes() const {
-        return water.bytes() + continuity.bytes() + forces.bytes() + surface.bytes() + collisions.bytes() +
-               walls.bytes() + at_walls.bytes() + lists.bytes();
-    }
-};
-
-/// Makes `count` zeros of it.
-template <class T>
-void clear(std::vector<T>& sums, std::size_t count) {
-    sums.resize(count);
-    parallel::for_each(static_cast<std::int64_t>(count),
-                       [&](std::int64_t i) { sums[static_cast<std::size_t>(i)] = T{}; });
-}
 
 }  // namespace riprap::fluid

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/fluid/particle/mps_lattice.hpp"
-#include "riprap/fluid/particle/mps_weight.hpp"
+#include "riprap/fluid/mps_operators/mps_lattice.hpp"
+#include "riprap/fluid/mps_operators/mps_weight.hpp"
 
 namespace riprap::fluid {
 namespace {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
-#include "riprap/fluid/particle/mps_choices.hpp"
+#include "riprap/fluid/mps_operators/mps_choices.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 
 namespace riprap {
@@ -14,8 +15,9 @@ struct MethodKeys;  // core/key.hpp
 
 namespace riprap::fluid {
 
-class MpsWeight;    // particle/mps_weight.hpp
-struct MpsLattice;  // particle/mps_lattice.hpp
+class ParticleScheme;  // particle/particle_scheme.hpp
+class MpsWeight;       // mps_operators/mps_weight.hpp
+struct MpsLattice;     // mps_operators/mps_lattice.hpp
 
 /// Loads on solids: the exact reaction to what their particles do to the fluid, or pressure times area of the surface
 /// particles along their normal [Mellado2021, eq. 5.40], which loses momentum.
@@ -38,7 +40,6 @@ struct WcmpsSettings : ParticleSettings {
     double collision_distance{0.9};  ///< share of l_0 below which surface particles collide [-]; 0 = off
     double collision_ratio{0.5};     ///< speed of separation over that of approach [-]
     WallLoads wall_loads{WallLoads::pair_sum};
-    bool is_plain{false};  ///< pair sums in double, one pair at a time: the oracle of the fast ones
 
     bool takes_joints() const { return true; }
     bool takes_normals() const { return wall_pressure == MpsWallPressure::averaged; }
@@ -48,6 +49,9 @@ struct WcmpsSettings : ParticleSettings {
     MpsWeight weight() const;
     MpsLattice lattice() const;
 };
+
+/// Makes the scheme of these settings, which have to outlive it.
+std::unique_ptr<ParticleScheme> make_scheme(const WcmpsSettings& settings);
 
 // The state equation in the concentration x = n/n_0 = rho/rho_0 [Mellado2021, eq. 5.17]:
 //

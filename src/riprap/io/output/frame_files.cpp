@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "riprap/fluid/grid/shown_water.hpp"
+#include "riprap/fluid/shown_water.hpp"
 #include "riprap/io/fluid_frame.hpp"
 #include "riprap/io/scene_frame.hpp"
 #include "riprap/sim/quantity.hpp"
@@ -44,7 +44,7 @@ class Frames : public Output {
         : chosen_(chosen), folder_(run.folder), frames_(run.frames()), planes_(draw_planes(run.model, run.initial)) {
         if (run.model.particles() != nullptr) {
             kinds_ = {"bodies", "water"};
-        } else if (sim::shows_water(run.model)) {
+        } else if (sim::draws_fluid(run.model)) {
             kinds_ = {"bodies", "water", "surface"};
         }
         for (const char* kind : {"bodies", "contacts", "water", "surface"}) {
@@ -57,8 +57,8 @@ class Frames : public Output {
         write_vtp(path_of("bodies", tag), bodies_at(moment, planes_), state.time);
         if (const auto* particles = moment.model.particles()) {
             write_fluid(path_of("water", tag), particles->settings(), state.fluid, state.time);
-        } else if (const auto water = sim::show_water(moment.model, state)) {
-            write_grid_water(path_of("water", tag), *water, state.time);
+        } else if (const auto water = sim::shown_fluid(moment.model, state)) {
+            write_field(path_of("water", tag), *water, state.time);
             write_vtp(path_of("surface", tag), draw_surface(*water), state.time);
         }
         if (chosen_.contacts) {

@@ -103,7 +103,7 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
     const std::string meant = nearest(quantity, known);
     build.problem(place, fmt::format("there is no quantity '{}'", quantity),
                   meant.empty() ? "PROBE, QUANTITY or BODY.QUANTITY, vectors with .x, .y or .z; BODY[mean], [sum], "
-                                  "[min], [max] or [above LEVEL] of many"
+                                  "[min], [max], [above LEVEL] or [front NUMBER WIDTH] of many"
                                 : fmt::format("did you mean '{}'?", meant));
     return false;
 }

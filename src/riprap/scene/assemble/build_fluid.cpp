@@ -22,6 +22,7 @@
 #include "riprap/scene/warnings/fluid_warnings.hpp"
 #include "riprap/scene/warnings/grid_warnings.hpp"
 #include "riprap/scene/warnings/paddle_warnings.hpp"
+#include "riprap/sim/method_traits.hpp"
 
 namespace riprap::scene {
 
@@ -299,19 +300,6 @@ const SourcePlace& place_of(const Value& table, std::string_view key) {
     return given != nullptr ? given->place : table.place;
 }
 
-/// Says how many cells a grid has.
-template <class Settings>
-void note_cells(CaseBuild& build, const Settings& settings) {
-    if constexpr (requires { settings.grid.mesh.box.cells; }) {
-        const auto& box = settings.grid.mesh.box;
-        if (!settings.grid.mesh.edge[0].empty()) {
-            build.notes.push_back(fmt::format(
-                "the grid of the water: {} x {}{} cells, the narrowest {:.4g} m wide", box.cells[0], box.cells[1],
-                box.axes == 3 ? fmt::format(" x {}", box.cells[2]) : "", settings.grid.mesh.smallest_width()));
-        }
-    }
-}
-
 /// Builds a fluid without particles: its settings receive domain, regions and levels.
 template <class Settings>
 void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
@@ -333,17 +321,15 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
             warn_of_waves_over_depth(build, *waves, scene);
         }
     }
-    if constexpr (requires {
-                      settings.grid;
-                      settings.spacing;
-                  }) {
-        warn_of_water_in_cells(build, get(table, "region"), scene, settings.spacing);
+    build.model.fluid = settings;
+    const std::string cells = sim::cells_text(build.model);
+    if (!cells.empty()) {
+        warn_of_water_in_cells(build, get(table, "region"), scene, sim::fluid_spacing(build.model));
+        build.notes.push_back("the grid of the water: " + cells);
     }
     if constexpr (std::is_same_v<Settings, coupling::HydrostaticSettings>) {
         warn_of_regions_at_faces(build, get(table, "region"), settings);
     }
-    note_cells(build, settings);
-    build.model.fluid = settings;
 }
 
 }  // namespace

@@ -4,11 +4,31 @@
 
 #include "riprap/core/direction.hpp"
 #include "riprap/scene/assemble/build_case.hpp"
+#include "riprap/scene/case/time_tables.hpp"
 #include "riprap/scene/keys/methods.hpp"
 
 namespace riprap::scene {
 
 namespace {
+
+/// Reads angles at given times; the turn starts and stops with them.
+void read_turns(CaseBuild& build, const Value& rotation, body::Gravity& out) {
+    TimeTable rows = read_time_table(build, rotation, "angle");
+    for (const Vec3& row : rows.value) {
+        out.angles.push_back(row.x);
+    }
+    out.times = std::move(rows.time);
+    if (!out.times.empty()) {
+        out.start = out.times.front();
+        out.stop = out.times.back();
+    }
+    for (const char* key : {"start", "stop"}) {
+        const Value* given = rotation.find(key);
+        if (given != nullptr && given->as_number() != 0) {
+            build.problem(given->place, fmt::format("'{}' goes with 'rate'", key), "times of the table alone");
+        }
+    }
+}
 
 body::Gravity read_gravity(CaseBuild& build, const Value& gravity) {
     body::Gravity out;
@@ -20,6 +40,10 @@ body::Gravity read_gravity(CaseBuild& build, const Value& gravity) {
     out.ramp = get_number(gravity, "ramp");
     if (const Value* rotation = gravity.find("rotation")) {
         out.axis = direction_of(get_vector(*rotation, "axis"));
+        if (rotation->find("rate") == nullptr) {
+            read_turns(build, *rotation, out);
+            return out;
+        }
         out.rate = get_number(*rotation, "rate");
         out.start = get_number(*rotation, "start");
         out.stop = get_number_or(*rotation, "stop", out.stop);

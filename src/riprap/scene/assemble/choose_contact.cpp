@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <variant>
 
 #include "riprap/scene/assemble/build_case.hpp"
+#include "riprap/sim/method_traits.hpp"
 #include "riprap/solid/affine/default_scales.hpp"
 
 namespace riprap::scene {
@@ -26,25 +26,21 @@ void fill(double& value, double chosen, const char* key, const char* unit, const
 void choose_contact(CaseBuild& build) {
     sim::Model& model = build.model;
     const bool has_water = build.root.find("fluid") != nullptr;
-    std::visit(
-        [&](auto& settings) {
-            if constexpr (requires { settings.elasticity.contact_stiffness; }) {
-                const solid::affine::DefaultScales scales =
-                    solid::affine::default_scales(sim::solid_scene(model), build.state.bodies, has_water);
-                if (!settings.elasticity.stiffness_per_area) {
-                    fill(settings.elasticity.contact_stiffness, scales.stiffness, "contact_stiffness", "N/m",
-                         scales.of_stiffness, build);
-                } else {
-                    settings.elasticity.contact_stiffness = scales.stiffness;  // of no contact
-                }
-                fill(settings.elasticity.youngs_modulus, scales.modulus, "youngs_modulus", "Pa", scales.of_modulus,
-                     build);
-                if constexpr (requires { settings.step; }) {
-                    fill(settings.step, scales.step, "step", "s", scales.of_step, build);
-                }
-            }
-        },
-        model.solid);
+    solid::affine::Elasticity* const elasticity = sim::elasticity_of(model.solid);
+    if (elasticity == nullptr) {
+        return;
+    }
+    const solid::affine::DefaultScales scales =
+        solid::affine::default_scales(sim::solid_scene(model), build.state.bodies, has_water);
+    if (!elasticity->stiffness_per_area) {
+        fill(elasticity->contact_stiffness, scales.stiffness, "contact_stiffness", "N/m", scales.of_stiffness, build);
+    } else {
+        elasticity->contact_stiffness = scales.stiffness;  // of no contact
+    }
+    fill(elasticity->youngs_modulus, scales.modulus, "youngs_modulus", "Pa", scales.of_modulus, build);
+    if (double* const step = sim::step_of(model.solid)) {
+        fill(*step, scales.step, "step", "s", scales.of_step, build);
+    }
 }
 
 }  // namespace riprap::scene

@@ -83,16 +83,13 @@ struct KeyedStiffness {
 };
 
 KeyedStiffness stiffness_of(const sim::SolidSettings& solid) {
-    return std::visit(
-        [](const auto& settings) -> KeyedStiffness {
-            if constexpr (requires { settings.spring_stiffness; }) {
-                return settings.laws.normal == contact::NormalLaw::hertz
-                           ? KeyedStiffness{"youngs_modulus", "Pa", settings.youngs_modulus}
-                           : KeyedStiffness{"spring_stiffness", "N/m", settings.spring_stiffness};
-            }
-            return {};
-        },
-        solid);
+    const auto* const spheres = std::get_if<solid::SphereDemSettings>(&solid);
+    if (spheres == nullptr) {
+        return {};
+    }
+    return spheres->laws.normal == contact::NormalLaw::hertz
+               ? KeyedStiffness{"youngs_modulus", "Pa", spheres->youngs_modulus}
+               : KeyedStiffness{"spring_stiffness", "N/m", spheres->spring_stiffness};
 }
 
 }  // namespace

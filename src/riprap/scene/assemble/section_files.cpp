@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <variant>
 
 #include "riprap/scene/text/limits.hpp"
+#include "riprap/sim/method_traits.hpp"
 
 namespace riprap::scene {
 
@@ -62,22 +64,17 @@ void compare_material(const Comparison& compare, const geometry::DdaAnalysis& an
 }
 
 void compare_method(const Comparison& compare, const geometry::DdaAnalysis& analysis) {
-    std::visit(
-        [&](const auto& settings) {
-            if constexpr (requires { settings.elasticity.youngs_modulus; }) {
-                if (!analysis.materials.empty()) {
-                    const geometry::DdaMaterial& block = analysis.materials.front();
-                    compare("Young's modulus", block.youngs_modulus, settings.elasticity.youngs_modulus, "Pa");
-                    compare("Poisson's ratio", block.poisson_ratio, settings.elasticity.poisson_ratio, "");
-                }
-            }
-            if constexpr (requires { settings.plane; }) {
-                compare("plane strain", analysis.is_plane_strain ? 1 : 0,
-                        settings.plane == solid::planar_dda::PlaneState::strain ? 1 : 0, "");
-                compare("dynamic factor", analysis.is_dynamic ? 1 : 0, settings.engine.dynamic_factor, "");
-            }
-        },
-        compare.build.model.solid);
+    const sim::SolidSettings& solid = compare.build.model.solid;
+    if (const auto* elasticity = sim::elasticity_of(solid); elasticity != nullptr && !analysis.materials.empty()) {
+        const geometry::DdaMaterial& block = analysis.materials.front();
+        compare("Young's modulus", block.youngs_modulus, elasticity->youngs_modulus, "Pa");
+        compare("Poisson's ratio", block.poisson_ratio, elasticity->poisson_ratio, "");
+    }
+    if (const auto* planar = std::get_if<solid::PlanarDdaSettings>(&solid)) {
+        compare("plane strain", analysis.is_plane_strain ? 1 : 0,
+                planar->plane == solid::planar_dda::PlaneState::strain ? 1 : 0, "");
+        compare("dynamic factor", analysis.is_dynamic ? 1 : 0, planar->engine.dynamic_factor, "");
+    }
 }
 
 /// Contents of the file that are ignored.

@@ -76,7 +76,7 @@ TimeTable read_time_table(CaseBuild& build, const Value& table, const std::strin
             read.time.push_back(time.as_number());
         }
         for (const Value& value : get(table, key).items) {
-            read.value.push_back(to_vector(value));
+            read.value.push_back(value.is_array() ? to_vector(value) : Vec3{value.as_number(), 0, 0});
         }
     }
     return check_rows(build, read, place, key) ? read : TimeTable{};

@@ -15,7 +15,8 @@ struct TimeTable {
 };
 
 /// Reads a table of time from the case (`time` and the list called `key`) or from its CSV `file` with rows t, x, y, z,
-/// in a plane t, x, y. Empty, with a problem, where times do not increase or rows are missing.
+/// in a plane t, x, y; plain numbers of the case become x. Empty, with a problem, where times do not increase or rows
+/// are missing.
 TimeTable read_time_table(CaseBuild& build, const Value& table, const std::string& key);
 
 }  // namespace riprap::scene

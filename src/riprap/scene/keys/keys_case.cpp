@@ -161,11 +161,16 @@ const Table& gravity_rotation_table() {
     static const Table table{
         "gravity.rotation",
         "gravity = { rotation = { ... } }",
-        "Turns gravity at a constant rate about an axis: a tilting platform without moving it.",
+        "Turns gravity about an axis, at a constant rate or by given angles: a tilting platform without moving it.",
         {required_key("axis", {axis()}, "Axis of the turn; gravity turns by the right-hand rule."),
-         required_key("rate", {number(dimension::angular_velocity)}, "Angular velocity of gravity."),
-         key_or("start", {number(dimension::time, non_negative())}, Value::of(0.0), "Start of the turn."),
-         optional_key("stop", {number(dimension::time, non_negative())}, "End of the turn; none when not given.")}};
+         optional_key("rate", {number(dimension::angular_velocity)}, "Angular velocity of gravity."),
+         key_or("start", {number(dimension::time, non_negative())}, Value::of(0.0), "Start of the turn by a rate."),
+         optional_key("stop", {number(dimension::time, non_negative())}, "End of it; none when not given."),
+         optional_key("time", {list(number(dimension::time, non_negative()), 1, limits::table_rows)},
+                      "Increasing times, instead of a rate: a platform that stops on its way."),
+         optional_key("angle", {list(number(dimension::angle), 1, limits::table_rows)},
+                      "Angle at each time, linear in between; the first one before, the last one afterwards.")},
+        {{GroupRule::exactly_one, {"rate", "time"}}, {GroupRule::all_or_none, {"time", "angle"}}}};
     return table;
 }
 

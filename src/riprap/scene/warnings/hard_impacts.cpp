@@ -38,6 +38,15 @@ double distance_to(const geometry::ConvexView& shape, const Pose& pose, const Ve
     return enter <= leave && enter > 0 ? enter : infinity;
 }
 
+/// Tells that a line passes the sphere about all vertices of a part at a distance, so that its many faces need not be
+/// looked at. @param center  of the shape [m], @param direction  unit vector
+bool passes_by(const geometry::ConvexView& shape, const Vec3& center, const Vec3& from, const Vec3& direction) {
+    constexpr double round_off = 1 + 1e-9;
+    const Vec3 way = center - from;
+    const double along = dot(way, direction), radius = round_off * shape.circumradius;
+    return shape.vertex_count > 0 && (along < -radius || norm_squared(way) - along * along > radius * radius);
+}
+
 }  // namespace
 
 Meeting first_met(const sim::Model& model, const sim::State& state, BodyId body, const Vec3& direction) {
@@ -48,10 +57,14 @@ Meeting first_met(const sim::Model& model, const sim::State& state, BodyId body,
         if (part.body.value == body.value) {
             continue;
         }
-        const Pose pose{to_world({state.bodies.position[b], state.bodies.orientation[b]}, part.local.position),
-                        state.bodies.orientation[b] * part.local.orientation};
+        const geometry::ConvexView shape = model.shapes.view(part.shape);
+        const Vec3& from = state.bodies.position[at(body.value)];
+        const Vec3 center = to_world({state.bodies.position[b], state.bodies.orientation[b]}, part.local.position);
+        if (passes_by(shape, center, from, direction)) {
+            continue;
+        }
         const double distance =
-            distance_to(model.shapes.view(part.shape), pose, state.bodies.position[at(body.value)], direction);
+            distance_to(shape, {center, state.bodies.orientation[b] * part.local.orientation}, from, direction);
         if (distance < first.distance) {
             first = {part.body, p, distance};
         }

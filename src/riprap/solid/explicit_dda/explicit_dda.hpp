@@ -12,11 +12,13 @@
 #include "riprap/solid/affine/shown_blocks.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 #include "riprap/solid/explicit_dda/settings.hpp"
+#include "riprap/solid/solid_method.hpp"
+#include "riprap/solid/solid_traits.hpp"
 
 namespace riprap::solid {
 
 /// Deformable convex blocks moved by explicit DDA, bound to Model, State and Scratch for one step: SolidMethod.
-class ExplicitDda {
+class ExplicitDda final : public SolidMethod {
  public:
     using Settings = ExplicitDdaSettings;
     using Fields = explicit_dda::State;
@@ -29,7 +31,8 @@ class ExplicitDda {
         body::PointLoadSum point_loads;
         std::size_t bytes() const;
     };
-    static constexpr bool takes_back = true;
+
+    using Physics = PairPhysics<OwnFaces<ExplicitDda>>;
 
     ExplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                 Scratch& scratch);
@@ -40,9 +43,10 @@ class ExplicitDda {
     static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& bodies);
     /// Returns the step that strain modes and eight contact points a block allow (explicit_dda::stable_step).
-    StepLimit limit() const;
+    StepLimit limit() const override;
+    bool takes_back() const override { return true; }
     /// Moves the blocks over a piece of a step under loads that are held over it.
-    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
+    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report) override;
     static std::span<const Account> accounts();
     static std::span<const ShownField> shown() { return affine::shown_of_blocks(); }
     static double show(const body::BodyState& /*bodies*/, const Fields& fields, std::size_t body, std::size_t field) {
@@ -58,6 +62,15 @@ class ExplicitDda {
     static const SolidTimes& times(const Scratch& scratch) { return scratch.engine.times; }
     /// Sum of the contact forces and of their moments on every body in the last piece.
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
+
+    static constexpr SolidTraits<Settings> traits{
+        .elasticity = &Settings::elasticity,
+        .max_stretch = [](const Settings& settings) { return settings.engine.max_stretch; },
+        .problems_of = &problems_of,
+        .misfit = &misfit,
+        .accounts = &accounts,
+        .shown = &shown,
+        .show = &show};
 
  private:
     const SolidScene* scene_;

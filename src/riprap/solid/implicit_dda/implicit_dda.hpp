@@ -12,11 +12,13 @@
 #include "riprap/solid/affine/shown_blocks.hpp"
 #include "riprap/solid/implicit_dda/advance.hpp"
 #include "riprap/solid/implicit_dda/settings.hpp"
+#include "riprap/solid/solid_method.hpp"
+#include "riprap/solid/solid_traits.hpp"
 
 namespace riprap::solid {
 
 /// Deformable convex blocks moved by implicit DDA, bound to Model, State and Scratch for one step: SolidMethod.
-class ImplicitDda {
+class ImplicitDda final : public SolidMethod {
  public:
     using Settings = ImplicitDdaSettings;
     using Fields = implicit_dda::State;
@@ -30,7 +32,8 @@ class ImplicitDda {
         body::PointLoadSum point_loads;
         std::size_t bytes() const;
     };
-    static constexpr bool takes_back = true, has_fixed_points = true;
+
+    using Physics = PairPhysics<OwnFaces<ImplicitDda>>;
 
     ImplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                 Scratch& scratch);
@@ -41,9 +44,10 @@ class ImplicitDda {
     static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& bodies);
     /// Returns the step of the settings, which the method wants for itself.
-    StepLimit limit() const { return {settings_->step, true, "step of implicit DDA"}; }
+    StepLimit limit() const override { return {settings_->step, true, "step of implicit DDA"}; }
+    bool takes_back() const override { return true; }
     /// Moves the blocks over a piece of a step; a piece that does not settle is refused with nothing changed.
-    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
+    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report) override;
     static std::span<const Account> accounts();
     static std::span<const ShownField> shown() { return affine::shown_of_blocks(); }
     static double show(const body::BodyState& /*bodies*/, const Fields& fields, std::size_t body, std::size_t field) {
@@ -59,6 +63,17 @@ class ImplicitDda {
     static const SolidTimes& times(const Scratch& scratch) { return scratch.engine.times; }
     /// Sum of the contact forces and of their moments on every body in the last piece.
     static const body::Loads& contact_loads(const Scratch& scratch) { return scratch.loads; }
+
+    static constexpr SolidTraits<Settings> traits{
+        .has_fixed_points = true,
+        .step = &Settings::step,
+        .elasticity = &Settings::elasticity,
+        .open_close = [](const Settings& settings) { return settings.engine.open_close; },
+        .problems_of = &problems_of,
+        .misfit = &misfit,
+        .accounts = &accounts,
+        .shown = &shown,
+        .show = &show};
 
  private:
     const SolidScene* scene_;

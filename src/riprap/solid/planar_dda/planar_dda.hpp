@@ -12,12 +12,14 @@
 #include "riprap/solid/planar_dda/settings.hpp"
 #include "riprap/solid/planar_dda/state.hpp"
 #include "riprap/solid/planar_dda/step.hpp"
+#include "riprap/solid/solid_method.hpp"
+#include "riprap/solid/solid_traits.hpp"
 
 namespace riprap::solid {
 
 /// Deformable polygons moved by Shi's planar DDA, bound to Model, State and Scratch for one step: SolidMethod. The
 /// whole step is that of planar_dda::advance; works and losses are those of planar_dda::Accounts.
-class PlanarDda {
+class PlanarDda final : public SolidMethod {
  public:
     using Settings = PlanarDdaSettings;
     using Fields = PlanarDdaFields;
@@ -31,7 +33,8 @@ class PlanarDda {
         body::PointLoadSum point_loads;
         std::size_t bytes() const;
     };
-    static constexpr bool takes_back = true, has_fixed_points = true, has_bolts = true;
+
+    using Physics = PairPhysics<OwnFaces<PlanarDda>>;
 
     PlanarDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
               Scratch& scratch);
@@ -43,9 +46,10 @@ class PlanarDda {
     static std::vector<SceneProblem> problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& bodies);
     /// Returns the step of the settings, which the method wants for itself.
-    StepLimit limit() const { return {settings_->step, true, "step of planar DDA"}; }
+    StepLimit limit() const override { return {settings_->step, true, "step of planar DDA"}; }
+    bool takes_back() const override { return true; }
     /// Moves the blocks over a piece of a step; a piece that does not settle is refused with nothing changed.
-    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
+    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report) override;
     /// Says why fields that were read from a file are not of this scene; empty where they are.
     static std::string misfit(const SolidScene& scene, const Settings& settings, const body::BodyState& bodies,
                               const Fields& fields);
@@ -60,6 +64,19 @@ class PlanarDda {
     /// Stress and strain in the plane, with von Mises' stress: as of blocks in space.
     static std::span<const ShownField> shown();
     static double show(const body::BodyState& bodies, const Fields& fields, std::size_t body, std::size_t field);
+
+    static constexpr SolidTraits<Settings> traits{
+        .has_fixed_points = true,
+        .has_bolts = true,
+        .is_of_plane = true,
+        .step = &Settings::step,
+        .elasticity = &Settings::elasticity,
+        .open_close = [](const Settings& settings) { return settings.engine.max_iterations; },
+        .problems_of = &problems_of,
+        .misfit = &misfit,
+        .accounts = &accounts,
+        .shown = &shown,
+        .show = &show};
 
  private:
     const SolidScene* scene_;

@@ -5,13 +5,15 @@
 #include "riprap/core/fields.hpp"
 #include "riprap/core/step.hpp"
 #include "riprap/solid/faces_on_faces.hpp"
+#include "riprap/solid/solid_method.hpp"
 #include "riprap/solid/solid_scene.hpp"
+#include "riprap/solid/solid_traits.hpp"
 
 namespace riprap::solid {
 
 /// Rigid polyhedra that repel by the distance potential or across the common plane, moved by drift, kick and drift,
 /// bound to Model, State and Scratch for one step: SolidMethod.
-class PolyhedralDem {
+class PolyhedralDem final : public SolidMethod {
  public:
     using Settings = DemSettings;
     using Fields = NoFields;
@@ -23,18 +25,19 @@ class PolyhedralDem {
         std::size_t bytes() const;
     };
 
-    static constexpr bool books_every_step = true;  ///< see sim/method_traits.hpp
-    static constexpr bool tells_depth = true;       ///< see there
-    static constexpr bool has_locks = true;         ///< see there
+    static constexpr SolidTraits<Settings> traits{
+        .books_every_step = true, .tells_depth = true, .has_locks = true, .max_speed = [](const Settings& settings) {
+            return settings.max_speed;
+        }};
 
     PolyhedralDem(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& /*fields*/,
                   Scratch& scratch)
         : scene_(&scene), settings_(&settings), state_(state), scratch_(&scratch) {}
 
     /// Returns 2/omega_max of bodies covered by neighbours all around (time_step_bound).
-    StepLimit limit() const { return faces().limit(); }
+    StepLimit limit() const override { return faces().limit(); }
     /// Moves the bodies over a piece of a step under loads that are held over it.
-    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
+    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report) override;
 
     /// Returns the contacts of the last piece, for output.
     static std::vector<contact::ShownContact> contacts(const SolidScene& scene, const Settings& settings,

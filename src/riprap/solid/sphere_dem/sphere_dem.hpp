@@ -9,7 +9,9 @@
 #include "riprap/core/account.hpp"
 #include "riprap/core/step.hpp"
 #include "riprap/solid/faces_on_faces.hpp"
+#include "riprap/solid/solid_method.hpp"
 #include "riprap/solid/solid_scene.hpp"
+#include "riprap/solid/solid_traits.hpp"
 #include "riprap/solid/sphere_dem/look_ahead.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem_settings.hpp"
 #include "riprap/solid/sphere_dem/sphere_model.hpp"
@@ -21,7 +23,7 @@ namespace riprap::solid {
 
 /// Bodies that meet by spheres and, where no spheres stand for them, by their faces; moved by drift, kick and drift,
 /// bound to Model, State and Scratch for one step: SolidMethod (docs/theory/spheres.md).
-class SphereDem {
+class SphereDem final : public SolidMethod {
  public:
     using Settings = SphereDemSettings;
     using Fields = sphere_dem::SphereState;
@@ -40,11 +42,10 @@ class SphereDem {
         std::size_t bytes() const;
     };
 
-    static constexpr bool has_locks = true;  ///< see sim/method_traits.hpp
-    /// See sim/method_traits.hpp: a sphere of the volume of a body reaches beyond its shape.
+    /// A sphere of the volume of a body reaches beyond its shape.
     static bool meets_by_shapes(const Settings& settings) { return settings.sampling != SphereSampling::one; }
 
-    /// See there: radius of the samples of surfaces [m].
+    /// Returns the radius of the samples of surfaces [m].
     static double smallest_stand_in(const body::BodySet& bodies, const geometry::ShapeSet& shapes,
                                     const Settings& settings);
 
@@ -63,11 +64,11 @@ class SphereDem {
 
     /// Returns a 7.5th of the shortest impact: with the default share of 0.15, an impact takes 50 steps. That is enough
     /// for whatever touches later.
-    StepLimit lasting_limit() const;
+    StepLimit lasting_limit() const override;
     /// Returns the same for the step that comes: longer where the contacts of sampled bodies allow it (look_ahead.hpp).
-    StepLimit limit() const;
+    StepLimit limit() const override;
     /// Moves the bodies over a piece of a step under loads that are held over it.
-    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report);
+    Outcome advance(const TimeSpan& span, const body::LoadView& loads, Measure measure, SolidReport& report) override;
 
     static std::span<const Account> accounts();
     /// Seconds spent per stage so far.
@@ -77,6 +78,16 @@ class SphereDem {
     /// Says why fields that were read from a file are not of this scene; empty where they are.
     static std::string misfit(const SolidScene& scene, const Settings& settings, const body::BodyState& bodies,
                               const Fields& fields);
+    static constexpr SolidTraits<Settings> traits{
+        .has_locks = true,
+        .max_speed = [](const Settings& settings) { return settings.laws.max_speed; },
+        .meets_by_shapes = &meets_by_shapes,
+        .smallest_stand_in = &smallest_stand_in,
+        .kinds_of = &kinds_of,
+        .completed = &completed,
+        .problems_of = &problems_of,
+        .misfit = &misfit,
+        .accounts = &accounts};
     /// Returns the contacts of the last piece, for output: those between spheres only where it measured everything.
     static std::vector<contact::ShownContact> contacts(const SolidScene& scene, const Settings& settings,
                                                        const Fields& fields, const Scratch& scratch);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/sph/device/device_sph.hpp"
 
-#include "riprap/fluid/sph/device/device_scheme.hpp"
+#include "riprap/fluid/sph/delta_sph.hpp"
+#include "riprap/fluid/sph/device/water_copy.hpp"
 
 namespace riprap::fluid {
 
 std::unique_ptr<ParticleScheme> make_device_scheme_on_host(const SphSettings& settings) {
-    return std::make_unique<DeviceSph<parallel::Host>>(settings);
+    return std::make_unique<DeltaSph<WaterCopy<parallel::Host>>>(settings);
 }
 
 #ifndef RIPRAP_WITH_CUDA  // else in device_sph.cu

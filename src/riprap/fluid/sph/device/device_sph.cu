@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "riprap/fluid/sph/device/device_sph.hpp"
+
 #include "riprap/core/parallel_cuda.hpp"
-#include "riprap/fluid/sph/device/device_scheme.hpp"
+#include "riprap/fluid/sph/delta_sph.hpp"
+#include "riprap/fluid/sph/device/water_copy.hpp"
 
 namespace riprap::fluid {
 
@@ -9,7 +12,7 @@ std::string device_name() { return parallel::cuda::device_name(); }
 
 std::unique_ptr<ParticleScheme> make_device_scheme(const SphSettings& settings) {
     if (has_device()) {
-        return std::make_unique<DeviceSph<parallel::cuda::Device>>(settings);
+        return std::make_unique<DeltaSph<WaterCopy<parallel::cuda::Device>>>(settings);
     }
     return make_device_scheme_on_host(settings);
 }
