@@ -18,8 +18,8 @@ struct Gravity {
     double rate{0};                                        ///< [rad/s]
     double start{0};                                       ///< [s]
     double stop{std::numeric_limits<double>::infinity()};  ///< [s]
-    std::vector<double> times;                             ///< increasing, instead of `rate` [s]; empty: none
-    std::vector<double> angles;                            ///< at `times` [rad]
+    std::vector<double> times{};                           ///< increasing, instead of `rate` [s]; empty: none
+    std::vector<double> angles{};                          ///< at `times` [rad]
     bool turns() const { return rate != 0 || !times.empty(); }
     double angle(double time) const;  ///< of the turn [rad]
     Vec3 at(double time) const;
