@@ -64,7 +64,8 @@ void add_upgrade(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("upgrade", "Give keys and words of older versions their names of today");
     command->footer("Example:\n  riprap upgrade my_slope/case.toml --print | diff my_slope/case.toml -");
-    command->add_option("CASE", options->case_text, "A case file, a folder with a case.toml, or the folder of a run")->required();
+    command->add_option("CASE", options->case_text, "A case file, a folder with a case.toml, or the folder of a run")
+        ->required();
     command->add_flag("--print", options->is_printed,
                       "Print the new file; without it, CASE is rewritten, and CASE.old keeps what it was");
     command->callback(

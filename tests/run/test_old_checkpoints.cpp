@@ -102,7 +102,7 @@ TEST(OldCheckpoints, TablesWithOtherColumnsAreSetAsideAndNewOnesBegin) {
         EXPECT_FALSE(std::filesystem::exists(folder / "ledger.older-2.csv"));
         const io::CsvTable now = io::read_record(folder / "ledger.csv");
         EXPECT_EQ(now.columns[1].name, "solid.kinetic");
-        EXPECT_GT(now.values[0].front(), 0);  // from the checkpoint on
+        EXPECT_GT(now.values[0].front(), 0);                                               // from the checkpoint on
         EXPECT_TRUE(io::read_file(folder / "probes.csv", 1U << 24U).starts_with(probes));  // has its columns: goes on
     };
     ASSERT_EQ(resume_run({folder, 1, {}, 80, true}), 0);
