@@ -90,7 +90,11 @@ std::string with_other_heading(const std::filesystem::path& file) {
 TEST(OldCheckpoints, TablesWithOtherColumnsAreSetAsideAndNewOnesBegin) {
     const TemporaryFolder place;
     const std::filesystem::path folder = place.path() / "run", latest = RunFolder{folder}.checkpoint_latest();
-    RunOptions options{.overrides = {"end=0.02", "max_steps=60"}, .out = folder, .threads = 1, .silent = true};
+    RunOptions options;
+    options.overrides = {"end=0.02", "max_steps=60"};
+    options.out = folder;
+    options.threads = 1;
+    options.silent = true;
     ASSERT_EQ(run_loaded(falling_blocks(options.overrides), options), 0);
     const std::string ledger = with_other_heading(folder / "ledger.csv");
     const std::string probes = io::read_file(folder / "probes.csv", 1U << 24U);
