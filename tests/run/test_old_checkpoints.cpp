@@ -91,7 +91,7 @@ TEST(OldCheckpoints, TablesWithOtherColumnsAreSetAsideAndNewOnesBegin) {
     const TemporaryFolder place;
     const std::filesystem::path folder = place.path() / "run", latest = RunFolder{folder}.checkpoint_latest();
     RunOptions options;
-    options.overrides = {"end=0.02", "max_steps=60"};
+    options.overrides = {"end=0.1", "max_steps=60"};
     options.out = folder;
     options.threads = 1;
     options.silent = true;
