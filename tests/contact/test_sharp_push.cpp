@@ -135,9 +135,9 @@ TEST_F(SharpPushes, LeaveFlatFacesAndRoundBodiesAsTheyAre) {
     const Block cube = add(geometry::cube(0.4), {{0.5, 0, 0.199}, {}});
     EXPECT_EQ(meet(cube, floor).force, meet(cube, floor, Corners::field).force);
     const Block roller = add(geometry::prism(32, 0.3, 0.4).value(), {{0, 0, 0.29}, from_rotation_vector({1.5, 0, 0})});
-    EXPECT_FALSE(is_sharp(pairs.shapes.view(roller.shape)));
+    EXPECT_FALSE(pairs.shapes.view(roller.shape).is_sharp);
     EXPECT_EQ(meet(roller, floor).force, meet(roller, floor, Corners::field).force);
-    EXPECT_TRUE(is_sharp(pairs.shapes.view(floor.shape)));
+    EXPECT_TRUE(pairs.shapes.view(floor.shape).is_sharp);
 }
 
 // Twelve sides are 30 degrees apart, thirteen 27.7: no last digit of a corner may decide.
@@ -154,8 +154,8 @@ TEST_F(SharpPushes, AreThoseOfPrismsOfUpToTwelveSidesWhereverTheyCameFrom) {
                     corners.push_back({size * std::cos(angle), size * std::sin(angle)});
                 }
                 const Block planar = add_planar(corners, {});
-                EXPECT_EQ(is_sharp(pairs.shapes.view(moved.shape)), is_sharp(pairs.shapes.view(planar.shape)));
-                return is_sharp(pairs.shapes.view(moved.shape));
+                EXPECT_EQ(pairs.shapes.view(moved.shape).is_sharp, pairs.shapes.view(planar.shape).is_sharp);
+                return pairs.shapes.view(moved.shape).is_sharp;
             };
             EXPECT_TRUE(is_sharp_prism(12)) << size << " " << k;
             EXPECT_FALSE(is_sharp_prism(13)) << size << " " << k;

@@ -181,7 +181,8 @@ TEST(MaterialKeys, that_the_method_does_not_read_are_told_with_the_methods_that_
         unread(blocks(false, "explicit_dda"), {"material.rock.torsion=false"}),
         ElementsAre(HasSubstr("case.toml:10:20: 'normal_stiffness' of material 'rock' and 1 other does nothing here: "
                               "solid.method \"explicit_dda\" does not read it; leave it out, or solid.method = "
-                              "\"distance_potential_dem\", \"sphere_dem\"")));
+                              "\"distance_potential_dem\", \"sphere_dem\"; its contacts have "
+                              "solid.contact_stiffness, of a contact point, in N/m")));
     EXPECT_THAT(unread(blocks(false, "distance_potential_dem"), {"material.ice.restitution=0.5"}),
                 ElementsAre(HasSubstr("'restitution' of material 'ice' does nothing here")));
     EXPECT_THAT(unread(blocks(false, "distance_potential_dem"),

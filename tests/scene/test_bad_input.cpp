@@ -365,5 +365,35 @@ TEST(BadInput, a_value_set_for_a_material_that_is_not_there_is_refused) {
     EXPECT_THAT(problems_of(minimal_case, right), IsEmpty());
 }
 
+// A start in milliseconds made a load that never acts, and the run ended with exit code 0.
+TEST(BadInput, what_begins_when_the_run_is_over_is_warned_of) {
+    const auto warnings = [](const std::string& more) { return read(minimal_case + more + "\n").warnings; };
+    EXPECT_THAT(
+        warnings("load = [{ force = [1.0, 0.0, 0.0], start = 200.0 }]"),
+        ElementsAre(StartsWith("case.toml:10:44: the run ends at 1 s, before this load begins at 200 s; times")));
+    EXPECT_THAT(warnings("load = [{ force = [1.0, 0.0, 0.0], start = 0.2 }]"), IsEmpty());
+    EXPECT_THAT(warnings("load = [{ force = [1.0, 0.0, 0.0], ramp = 0.5, stop = 0.4 }]"),
+                ElementsAre(HasSubstr("stops at 0.4 s, before it has grown to its full size")));
+    EXPECT_THAT(warnings("load = [{ force = [1.0, 0.0, 0.0], start = 0.1, ramp = 0.3, stop = 0.4 }]"), IsEmpty());
+    EXPECT_THAT(warnings("motion = { linear = { velocity = [1.0, 0.0, 0.0] }, start = 5.0 }"),
+                ElementsAre(HasSubstr("before 'block' begins to move at 5 s")));
+    EXPECT_THAT(warnings("fixed = true\nrelease_time = 1.0"), ElementsAre(HasSubstr("'block' is released at 1 s")));
+    const std::string turn =
+        "gravity = { value = [0.0, 0.0, -9.81], rotation = { axis = [1.0, 0.0, 0.0], rate = 0.1, start = 3.0 } }";
+    EXPECT_THAT(read(with(minimal_case, "gravity = [0.0, 0.0, -9.81]", turn)).warnings,
+                ElementsAre(HasSubstr("before gravity begins to turn at 3 s")));
+}
+
+TEST(BadInput, a_friction_coefficient_that_is_an_angle_is_warned_of) {
+    const auto with_friction = [](const std::string& value) {
+        return read(with(minimal_case, "[[body]]", "friction_coefficient = " + value + "\n[[body]]")).warnings;
+    };
+    EXPECT_THAT(
+        with_friction("30.0"),
+        ElementsAre(StartsWith("case.toml:6:24: friction_coefficient = 30 is the tangent of 88.1 degrees; an")));
+    EXPECT_THAT(with_friction("4.9"), IsEmpty());
+    EXPECT_THAT(with_friction("9.9"), SizeIs(1));
+}
+
 }  // namespace
 }  // namespace riprap::scene

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "planar_dda/blocks.hpp"
-#include "riprap/geometry/shapes.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 #include "riprap/solid/implicit_dda/advance.hpp"
+#include "solid/block_scene.hpp"
+#include "solid/planar_dda/blocks.hpp"
 
 // One scene of polygons for the three methods of discontinuous deformation analysis.
 
@@ -69,9 +69,9 @@ inline Ending slide_in_the_plane(const Scene& scene) {
 }
 
 inline Ending slide_in_space(const Scene& scene, bool is_explicit) {
-    affine::BlockSystem system;
+    affine::BlockScene system;
     affine::BlockState blocks;
-    add_material(system, {2500, scene.youngs_modulus, 0.25},
+    set_material(system, {2500, scene.youngs_modulus, 0.25},
                  {scene.stiffness, 0.4 * scene.stiffness, false, scene.friction});
     system.gravity = {scene.gravity.x, scene.gravity.y, 0};
     for (const Piece& piece : scene.pieces) {
@@ -95,8 +95,10 @@ inline Ending slide_in_space(const Scene& scene, bool is_explicit) {
         implicit_dda::Scratch scratch;
         implicit_dda::StepReport report;
         for (int k = 0; k < static_cast<int>(scene.end / scene.dt + 0.5); ++k) {
-            EXPECT_EQ(implicit_dda::advance_in_pieces(system, {}, {}, scene.dt, {}, state, scratch, report).problem,
-                      "");
+            const Outcome outcome = in_pieces(scene.dt, [&](double piece) {
+                return implicit_dda::advance(system, {}, piece, {}, state, scratch, report);
+            });
+            EXPECT_EQ(outcome.problem, "");
         }
         place = state.blocks.position.back();
         velocity = state.blocks.velocity.back();

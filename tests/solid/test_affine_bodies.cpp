@@ -8,63 +8,21 @@
 #include <cmath>
 #include <numbers>
 
-#include "riprap/geometry/shapes.hpp"
 #include "riprap/solid/explicit_dda/explicit_dda.hpp"
 #include "riprap/solid/implicit_dda/implicit_dda.hpp"
+#include "solid/body_scene.hpp"
 
 namespace riprap::solid {
 namespace {
 
 template <class Method>
-struct FieldsOf;
-template <>
-struct FieldsOf<ImplicitDda> {
-    using type = implicit_dda::State;
-};
-template <>
-struct FieldsOf<ExplicitDda> {
-    using type = explicit_dda::State;
-};
+struct Scene : MovedScene<Method> {
+    double dt{5e-4};
 
-template <class Method>
-struct Scene {
-    geometry::ShapeSet shapes;
-    material::MaterialSet materials;
-    body::BodySet bodies;
-    body::BodyState state;
-    body::Gravity gravity{{0, 0, -9.81}};
-    contact::ContactHistory contacts;
-    double previous_dt{0};
-    typename Method::Settings settings;
-    typename FieldsOf<Method>::type fields{};
-    typename Method::Scratch scratch;
-    double time{0}, dt{5e-4};
-
-    Scene() {
-        materials.materials.push_back({.name = "rock", .density = 2000, .normal_stiffness = 1e7, .friction = 0.5});
-        mix_pairs(materials, material::Mixing::mean, material::Mixing::mean);
-        settings.elasticity = {1e8, 0.25, 1e7};
-    }
-    void add(const Pose& pose, ShapeId shape, body::Drive drive, double release = INFINITY, double density = 2000) {
-        body::NewBody block;
-        block.name = "block";
-        block.material = MaterialId{0};
-        block.density = density;
-        block.drive = drive;
-        block.release_time = release;
-        block.pose = pose;
-        block.parts = {{BodyId{}, shape, Pose{}}};
-        add_body(bodies, state, shapes, block);
-    }
-    void add_cube(const Pose& pose, body::Drive drive = body::Drive::free, double release = INFINITY) {
-        add(pose, shapes.add_convex(geometry::cube(1), false, nullptr), drive, release);
-    }
     SolidReport step() {
-        const SolidScene scene{shapes, materials, bodies, gravity, {}};
-        Method method(scene, settings, {state, contacts, previous_dt}, fields, scratch);
         SolidReport report;
-        EXPECT_EQ(method.advance({time, dt}, {}, Measure::energy, report).problem, "");
-        time += dt;
+        EXPECT_EQ(this->advance(dt, report).problem, "");
+        this->time += dt;
         return report;
     }
 };

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "riprap/geometry/shapes.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 #include "riprap/solid/implicit_dda/advance.hpp"
+#include "solid/block_scene.hpp"
 
 namespace riprap::solid {
 namespace {
@@ -17,13 +17,13 @@ constexpr double degree = std::numbers::pi / 180, g = 9.81;
 
 /// A slope with prisms on it, in the axes of the slope.
 struct PlaneScene {
-    affine::BlockSystem system;
+    affine::BlockScene system;
     affine::BlockState blocks;
 
     PlaneScene(double angle, double size, double friction) {
         // An overlap of some 1e-4 of the size, whatever it is.
         const double stiffness = 2500 * size * size * g / (1e-4 * size);
-        add_material(system, {2500, 1e9, 0.25}, {stiffness, 0.4 * stiffness, false, friction, 0, 0, 0.2});
+        set_material(system, {2500, 1e9, 0.25}, {stiffness, 0.4 * stiffness, false, friction, 0, 0, 0.2});
         system.is_planar = true;
         system.gravity = g * Vec3{std::sin(angle), -std::cos(angle), 0};
         add_box(system, blocks, {40 * size, size, 1}, {.position = {15 * size, -0.5 * size, 0}, .is_fixed = true});
@@ -58,7 +58,9 @@ struct PlaneScene {
         implicit_dda::Scratch scratch;
         implicit_dda::StepReport report;
         for (int k = 0; k < static_cast<int>(end / dt + 0.5); ++k) {
-            EXPECT_EQ(implicit_dda::advance_in_pieces(system, {}, {}, dt, {}, state, scratch, report).problem, "");
+            const Outcome outcome = in_pieces(
+                dt, [&](double piece) { return implicit_dda::advance(system, {}, piece, {}, state, scratch, report); });
+            EXPECT_EQ(outcome.problem, "");
         }
         return state.blocks;
     }

@@ -87,9 +87,9 @@ TEST(PlanarSeams, ASoftBlockIsHitFromTwiceItsOverlapOnUpToAShareOfTheBlock) {
 
 /// Tells whether a block that stands on one slab meets the top of the next or its side, 1 mm before it comes there.
 bool meets_the_top(double overlap, double step, double gap = 0) {
-    affine::BlockSystem system;
+    affine::BlockScene system;
     affine::BlockState blocks;
-    add_material(system, {2500, 1e9, 0.25}, {1e8, 1e8});
+    set_material(system, {2500, 1e9, 0.25}, {1e8, 1e8});
     for (const Piece& piece : two_slabs(gap, step).pieces) {
         add_polyhedron(system, blocks, geometry::planar_prism(piece.corners).value(), {.is_fixed = piece.is_fixed});
     }

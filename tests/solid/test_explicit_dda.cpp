@@ -11,6 +11,7 @@
 #include "riprap/solid/affine/step_update.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 #include "riprap/solid/explicit_dda/critical_step.hpp"
+#include "solid/block_scene.hpp"
 
 namespace riprap::solid::explicit_dda {
 namespace {
@@ -21,7 +22,7 @@ constexpr double gravity = 9.81;
 
 /// A scene under way.
 struct Trial {
-    affine::BlockSystem system;
+    affine::BlockScene system;
     Settings settings{};
     State state{};
     Scratch scratch{};
@@ -34,8 +35,8 @@ struct Trial {
             ASSERT_EQ(advance(system, settings, dt, external, state, scratch, report).problem, "");
         }
     }
-    std::int32_t rock(double youngs_modulus = 1e7, affine::Surface surface = {1e6, 1e6}) {
-        return add_material(system, {2500, youngs_modulus, 0.25}, surface);
+    void rock(double youngs_modulus = 1e7, const affine::Surface& surface = {1e6, 1e6}) {
+        set_material(system, {2500, youngs_modulus, 0.25}, surface);
     }
     double volume(std::size_t block) const {
         return system.shape_of(static_cast<std::int32_t>(block)).volume *
@@ -62,9 +63,10 @@ TEST(ExplicitDda, free_fall_follows_the_parabola_for_any_step) {
 /// A block that spins about z by the angle `turn` each step without swinging, exactly in the discrete scheme: its poses
 /// at mid-step lie on a circle, 2 (1 - cos turn)/dt^2 E0 = V0 (lambda tr(e) + 2 mu e) in x and y, those at the ends of
 /// steps in the middle of the chords.
-affine::NewBlock spinning(const affine::Material& material, const Vec3& size, double turn, double dt) {
+affine::NewBlock spinning(const affine::Rock& material, const Vec3& size, double turn, double dt) {
     const double w2 = 2 * (1 - std::cos(turn)) / (dt * dt) * material.density / 12;
-    const Mat3 e = affine::elastic_strain(material, Mat3::diagonal({w2 * size.x * size.x, w2 * size.y * size.y, 0}));
+    const affine::Elasticity rock{material.youngs_modulus, material.poisson_ratio};
+    const Mat3 e = affine::elastic_strain(rock, Mat3::diagonal({w2 * size.x * size.x, w2 * size.y * size.y, 0}));
     const double chord = std::cos(0.5 * turn);
     return {.deformation = Mat3::diagonal(
                 {chord * std::sqrt(1 + 2 * e(0, 0)), chord * std::sqrt(1 + 2 * e(1, 1)), std::sqrt(1 + 2 * e(2, 2))}),
@@ -77,7 +79,7 @@ TEST(ExplicitDda, a_spinning_block_keeps_its_volume_and_its_angular_momentum) {
     const Vec3 size{1, 0.7, 0.4};
     run.dt = 1e-5;
     const double turn = 2 * std::numbers::pi / 20000;
-    add_box(run.system, run.state.blocks, size, spinning(run.system.materials[0], size, turn, run.dt));
+    add_box(run.system, run.state.blocks, size, spinning({2500, 5e10, 0.25}, size, turn, run.dt));
     const double volume = run.volume(0);
     const Vec3 momentum = measure(run.system, run.state.blocks).angular_momentum;
     run.step(40000);  // two turns
@@ -113,14 +115,13 @@ TEST(ExplicitDda, the_twelve_unknown_form_keeps_the_energy_of_a_tumbling_slab) {
 }
 
 TEST(ExplicitDda, strain_modes_of_a_cube_have_the_frequency_of_the_formula) {
-    const affine::Material rock{2500, 5e10, 0.25};
+    const affine::Elasticity rock{5e10, 0.25};
     const double mass = 2500 * 8;
     const Mat3 inertia = Mat3::diagonal({mass / 3, mass / 3, mass / 3});  // m L^2/12, L = 2
     EXPECT_NEAR(strain_frequency_squared(rock, 8, inertia), 12 * 5e10 / ((1 - 0.5) * 2500 * 4), 1);
     // The breathing mode swings at that frequency.
     Trial run;
-    run.system.materials = {};
-    add_material(run.system, rock, {});
+    set_material(run.system, {2500, 5e10, 0.25}, {});
     const double stretch = 1e-7;
     add_box(run.system, run.state.blocks, {2, 2, 2}, {.deformation = (1 + stretch) * Mat3::identity()});
     const double period = 2 * std::numbers::pi / std::sqrt(strain_frequency_squared(rock, 8, inertia));
@@ -168,8 +169,7 @@ TEST(ExplicitDda, a_block_at_rest_weighs_on_its_four_corners) {
     run.rock(1e8, {1e6, 1e6});
     run.system.gravity = {0, 0, -gravity};
     run.settings.mass_damping = 20;
-    const auto ground = add_half_space(run.system, {0, 0, 1}, 0);
-    add_block(run.system, run.state.blocks, {.shape = ground});
+    add_half_space(run.system, run.state.blocks, {0, 0, 1}, 0);
     add_box(run.system, run.state.blocks, {1, 1, 1}, {.position = {0, 0, 0.5}});
     run.dt = 2e-4;
     run.step(8000);
@@ -188,7 +188,7 @@ Trial incline(double slope, double friction, Form form) {
     run.settings.form = form;
     run.rock(1e9, {1e7, 1e7, false, friction});
     run.system.gravity = gravity * Vec3{std::sin(slope), 0, -std::cos(slope)};
-    add_block(run.system, run.state.blocks, {.shape = add_half_space(run.system, {0, 0, 1}, 0)});
+    add_half_space(run.system, run.state.blocks, {0, 0, 1}, 0);
     const double overlap = 2500 * gravity * std::cos(slope) / 4e7;
     add_box(run.system, run.state.blocks, {1, 1, 1}, {.position = {0, 0, 0.5 - overlap}});
     run.dt = 1e-4;
@@ -222,8 +222,8 @@ TEST(ExplicitDda, a_bond_holds_its_tensile_strength_and_is_gone_when_it_has_torn
         Trial run;
         run.rock(1e9, {1e7, 1e7});
         run.system.gravity = {0, 0, -gravity};
-        run.system.surfaces[0].tension = factor * weight;
-        run.system.surfaces[0].cohesion = 1e9;
+        run.system.surfaces.pairs[0].tension = factor * weight;
+        run.system.surfaces.pairs[0].cohesion = 1e9;
         add_box(run.system, run.state.blocks, {1, 1, 1}, {});
         add_box(run.system, run.state.blocks, {2, 2, 1}, {.position = {0, 0, 1}, .is_fixed = true});
         run.state.contacts.bonded = bonded_pairs(run.system, run.state.blocks);
@@ -288,7 +288,7 @@ TEST(ExplicitDda, two_cubes_that_meet_face_to_face_fly_apart_as_fast) {
 
 TEST(ExplicitDda, the_energy_ledger_closes_with_friction_and_dashpots) {
     Trial run = incline(0.6, 0.3, Form::pseudo_rigid);
-    run.system.surfaces[0].damping_ratio = 0.2;
+    run.system.surfaces.pairs[0].damping_ratio = 0.2;
     double lost = 0;
     run.step();
     const double before = run.report.sums.kinetic + run.report.sums.potential + run.report.strain + run.report.contact;
@@ -307,7 +307,7 @@ TEST(ExplicitDda, the_same_bits_with_any_number_of_threads_and_from_a_fresh_scra
         Trial run;
         run.rock(1e7, {1e6, 1e6, false, 0.5});
         run.system.gravity = {0, 0, -gravity};
-        add_block(run.system, run.state.blocks, {.shape = add_half_space(run.system, {0, 0, 1}, 0)});
+        add_half_space(run.system, run.state.blocks, {0, 0, 1}, 0);
         for (int i = 0; i < 27; ++i) {
             add_box(run.system, run.state.blocks, {1, 1, 1},
                     {.position = {1.01 * (i % 3) + 0.05 * (i / 9), 1.01 * (i / 3 % 3), 0.5 + 1.001 * (i / 9)}});
@@ -331,10 +331,10 @@ TEST(ExplicitDda, the_stable_step_is_stable_and_four_times_of_it_is_not) {
         Trial run;
         run.rock(1e9, {1e8, 1e8});
         run.system.gravity = {0, 0, -gravity};
-        add_block(run.system, run.state.blocks, {.shape = add_half_space(run.system, {0, 0, 1}, 0)});
+        add_half_space(run.system, run.state.blocks, {0, 0, 1}, 0);
         add_box(run.system, run.state.blocks, {1, 1, 1}, {.position = {0, 0, 0.4999}});
         run.dt = stable_step(run.system, run.state.blocks) * (is_stable ? 0.9 : 6);
-        affine::Outcome outcome;
+        Outcome outcome;
         for (int i = 0; i < 3000 && outcome.ok(); ++i) {
             outcome = advance(run.system, run.settings, run.dt, {}, run.state, run.scratch, run.report);
         }

@@ -4,59 +4,13 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/geometry/shapes.hpp"
 #include "riprap/solid/explicit_dda/explicit_dda.hpp"
+#include "solid/body_scene.hpp"
 
 namespace riprap::solid {
 namespace {
 
-/// Three cubes that fall on a plane, moved as a step driver moves them.
-struct Scene {
-    geometry::ShapeSet shapes;
-    material::MaterialSet materials;
-    body::BodySet bodies;
-    body::BodyState state;
-    body::Gravity gravity{{0.5, 0, -9.81}};
-    contact::ContactHistory contacts;
-    double previous_dt{0};
-    ExplicitDdaSettings settings;
-    explicit_dda::State fields{};
-    ExplicitDda::Scratch scratch;
-    double time{0};
-
-    Scene() {
-        materials.materials.push_back({.name = "rock", .density = 2000, .normal_stiffness = 1e7, .friction = 0.5});
-        mix_pairs(materials, material::Mixing::mean, material::Mixing::mean);
-        settings.elasticity = {1e8, 0.25, 1e7};
-        const ShapeId cube = shapes.add_convex(geometry::cube(1), false, nullptr);
-        add({}, shapes.add_half_space({0, 0, 1}, 0), body::Drive::fixed);
-        for (int i = 0; i < 3; ++i) {
-            add({0.1 * i, 0, 0.501 + 1.001 * i}, cube, body::Drive::free);
-        }
-    }
-    void add(const Vec3& place, ShapeId shape, body::Drive drive) {
-        body::NewBody block;
-        block.name = "block " + std::to_string(bodies.size());
-        block.material = MaterialId{0};
-        block.density = 2000;
-        block.drive = drive;
-        block.pose = {place, {}};
-        block.parts = {{BodyId{}, shape, Pose{}}};
-        add_body(bodies, state, shapes, block);
-    }
-    Outcome advance(double dt, const body::LoadView& loads, SolidReport& report) {
-        const SolidScene scene{shapes, materials, bodies, gravity, {}};
-        ExplicitDda method(scene, settings, {state, contacts, previous_dt}, fields, scratch);
-        const Outcome outcome = method.advance({time, dt}, loads, Measure::energy, report);
-        time += dt;
-        return outcome;
-    }
-    SolidReport step(double dt, const body::LoadView& loads = {}) {
-        SolidReport report;
-        EXPECT_EQ(advance(dt, loads, report).problem, "");
-        return report;
-    }
-};
+using Scene = FallingCubes<ExplicitDda>;
 
 TEST(ExplicitDdaMethod, momentum_follows_the_impulses_it_reports) {
     Scene scene;
@@ -109,9 +63,9 @@ TEST(ExplicitDdaMethod, a_block_that_is_torn_apart_is_named) {
     Outcome outcome;
     for (int i = 0; i < 100 && outcome.ok(); ++i) {
         SolidReport report;
-        outcome = scene.advance(1e-4, {none, none, pull}, report);
+        outcome = scene.advance(1e-4, report, {none, none, pull});
     }
-    EXPECT_EQ(outcome.problem.rfind("'block 3' is strained to ", 0), 0U) << outcome.problem;
+    EXPECT_EQ(outcome.problem.rfind("'block[3]' is strained to ", 0), 0U) << outcome.problem;
     EXPECT_GT(outcome.shorten, 0);
 }
 

@@ -106,7 +106,7 @@ TEST(BlockTerms, the_inertia_matrix_is_the_integral_of_its_definition) {
 }
 
 TEST(BlockTerms, the_elastic_matrix_stores_the_energy_of_hookes_law) {
-    const affine::Material rock{1, 3e3, 0.25};
+    const affine::Elasticity rock{3e3, 0.25};
     Matrix12 k{};
     add_elastic(rock, 2, k);
     const Vector12 d = some_unknowns(0.7);
@@ -231,7 +231,7 @@ TEST(OpenClose, a_contact_that_slips_by_less_than_the_slide_tolerance_locks_as_i
     const Vec3 slip{0.02, 0, 0}, little{5e-5, 0, 0}, direction{1, 0, 0};  // the slip lies beyond the limit of 0.01 m
     for (const double tolerance : {1e-4, 1e-5, -1.0}) {
         ContactTrial trial{ContactMode::slide, false, {}, -0.01, slip, little, 0, direction, 0, false};
-        update_mode(springs, {0, 0, tolerance}, trial);
+        update_mode(springs, {.slide_tolerance = tolerance}, trial);
         EXPECT_EQ(trial.mode, tolerance == 1e-4 ? ContactMode::lock : ContactMode::slide);
     }
 }

@@ -2,78 +2,38 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/geometry/shapes.hpp"
 #include "riprap/solid/planar_dda/outline.hpp"
 #include "riprap/solid/planar_dda/planar_dda.hpp"
+#include "solid/body_scene.hpp"
 
 namespace riprap::solid {
 namespace {
 
 using geometry::Point2;
 
-/// Three squares that fall on a plane, moved as a step driver moves them.
-struct Scene {
-    geometry::ShapeSet shapes;
-    material::MaterialSet materials;
-    body::BodySet bodies;
-    body::BodyState state;
-    body::Gravity gravity{{0.5, -9.81, 0}};
-    contact::ContactHistory contacts;
-    double previous_dt{0};
-    PlanarDdaSettings settings;
-    PlanarDda::Fields fields{};
-    PlanarDda::Scratch scratch;
-    double time{0};
-
-    Scene() {
+/// A floor and three squares that fall on it.
+struct Scene : MovedScene<PlanarDda> {
+    Scene() : MovedScene(0.1) {
         bodies.is_planar = true;
-        materials.materials.push_back(
-            {.name = "rock", .density = 2000, .normal_stiffness = 1e7, .friction = 0.5, .damping_ratio = 0.1});
-        mix_pairs(materials, material::Mixing::mean, material::Mixing::mean);
-        settings.elasticity = {1e8, 0.25, 1e7};
-        const ShapeId square = add_polygon(std::array<Point2, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
-        add({}, {shapes.add_half_space({0, 1, 0}, 0)}, body::Drive::fixed);
+        gravity = {{0.5, -9.81, 0}};
+        const ShapeId square = add_prism(std::array<Point2, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+        add({}, shapes.add_half_space({0, 1, 0}, 0), body::Drive::fixed);
         for (int i = 0; i < 3; ++i) {
-            add({0.1 * i, 0.501 + 1.001 * i, 0}, {square}, body::Drive::free);
+            add({{0.1 * i, 0.501 + 1.001 * i, 0}, {}}, square);
         }
     }
-    ShapeId add_polygon(std::span<const Point2> corners) {
-        return shapes.add_convex(geometry::planar_prism(corners).value(), true, nullptr);
-    }
-    void add(const Vec3& place, const std::vector<ShapeId>& parts, body::Drive drive, double apart = 1) {
-        body::NewBody block;
-        block.name = "block";
-        block.name_index = bodies.size();
-        block.material = MaterialId{0};
-        block.density = 2000;
-        block.drive = drive;
-        block.pose = {place, {}};
-        for (std::size_t p = 0; p < parts.size(); ++p) {
-            block.parts.push_back({BodyId{}, parts[p], Pose{{apart * static_cast<double>(p), 0, 0}, {}}});
+    /// Adds a body of parts that follow each other along x.
+    void add_row(const Vec3& place, const std::vector<ShapeId>& shapes_in_row, double apart) {
+        std::vector<body::Part> parts;
+        for (std::size_t p = 0; p < shapes_in_row.size(); ++p) {
+            parts.push_back({BodyId{}, shapes_in_row[p], Pose{{apart * static_cast<double>(p), 0, 0}, {}}});
         }
-        add_body(bodies, state, shapes, block);
-    }
-    SolidScene scene() const { return {shapes, materials, bodies, gravity, {}}; }
-    Outcome advance(double dt, SolidReport& report, const body::LoadView& loads = {}) {
-        const SolidScene all = scene();
-        PlanarDda method(all, settings, {state, contacts, previous_dt}, fields, scratch);
-        return method.advance({time, dt}, loads, Measure::energy, report);
-    }
-    /// Takes a step, in halves where it is refused, as the driver does. @returns the report of the last of them
-    SolidReport step(double dt, const body::LoadView& loads = {}) {
-        SolidReport report;
-        const Outcome outcome = advance(dt, report, loads);
-        if (outcome.shorten > 0 && dt > 1e-6) {
-            step(0.5 * dt, loads);
-            return step(0.5 * dt, loads);
-        }
-        EXPECT_EQ(outcome.problem, "");
-        time += dt;
-        return report;
+        add({place, {}}, parts);
     }
 };
 
@@ -148,10 +108,10 @@ TEST(PlanarDdaMethod, a_plane_carries_a_block_far_from_where_the_scene_began) {
 
 TEST(PlanarDdaMethod, parts_that_share_whole_edges_are_one_concave_block) {
     Scene scene;
-    const ShapeId square = scene.add_polygon(std::array<Point2, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
-    const ShapeId slope = scene.add_polygon(std::array<Point2, 3>{{{0, 0}, {1, 0}, {0, 1}}});
-    scene.add({0, 9, 0}, {square, square, square}, body::Drive::free);
-    scene.add({0, 20, 0}, {square, slope}, body::Drive::free, 3);
+    const ShapeId square = scene.add_prism(std::array<Point2, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+    const ShapeId slope = scene.add_prism(std::array<Point2, 3>{{{0, 0}, {1, 0}, {0, 1}}});
+    scene.add_row({0, 9, 0}, {square, square, square}, 1);
+    scene.add_row({0, 20, 0}, {square, slope}, 3);
     EXPECT_EQ(planar_dda::outline_of(scene.scene(), BodyId{4}).size(), 8U);  // straight corners stay
     const auto problems = PlanarDda::problems_of(scene.scene(), scene.settings, scene.state);
     ASSERT_EQ(problems.size(), 1U);

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "riprap/solid/affine/restitution.hpp"
-#include "sliding_blocks.hpp"
+#include "riprap/solid/explicit_dda/advance.hpp"
+#include "solid/block_scene.hpp"
 
 namespace riprap::solid {
 namespace {
@@ -54,9 +55,9 @@ TEST(Restitution, OfAPairComesBeforeItsDampingRatio) {
 
 /// Speed with which a cube of 0.4 m leaves a floor that it meets at 1 m/s, flat or with an edge, in explicit DDA.
 double leaves(double e, bool is_flat) {
-    affine::BlockSystem system;
+    affine::BlockScene system;
     affine::BlockState blocks;
-    add_material(system, {2500, 1e11, 0.25}, {1e8, 4e7, false, 0, 0, 0, affine::damping_ratio_of(e)});
+    set_material(system, {2500, 1e11, 0.25}, {1e8, 4e7, false, 0, 0, 0, affine::damping_ratio_of(e)});
     add_box(system, blocks, {4, 1, 4}, {.position = {0, -0.5, 0}, .is_fixed = true});
     const double c = std::sqrt(0.5);
     const Mat3 turn = is_flat ? Mat3::identity() : Mat3{{{c, -c, 0}, {c, c, 0}, {0, 0, 1}}};

@@ -8,19 +8,19 @@
 #include <vector>
 
 #include "riprap/geometry/round_shapes.hpp"
-#include "riprap/geometry/shapes.hpp"
 #include "riprap/solid/affine/round_blocks.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 #include "riprap/solid/implicit_dda/advance.hpp"
+#include "solid/block_scene.hpp"
 
 namespace riprap::solid {
 namespace {
 
 struct World {
-    affine::BlockSystem system;
+    affine::BlockScene system;
     affine::BlockState blocks;
 
-    explicit World(double friction = 0.5) { add_material(system, {2500, 1e10, 0.25}, {1e8, 4e7, false, friction}); }
+    explicit World(double friction = 0.5) { set_material(system, {2500, 1e10, 0.25}, {1e8, 4e7, false, friction}); }
     void add_ball(double radius, const Vec3& place, const Vec3& velocity = {}) {
         add_polyhedron(system, blocks, geometry::sphere(radius), {.velocity = velocity});
         blocks.position.back() = place;
@@ -70,7 +70,10 @@ struct World {
         implicit_dda::Scratch scratch;
         implicit_dda::StepReport report;
         for (int k = 0; k < static_cast<int>(end / 1e-3 + 0.5); ++k) {
-            EXPECT_EQ(implicit_dda::advance_in_pieces(system, {}, {}, 1e-3, {}, state, scratch, report).problem, "");
+            const Outcome outcome = in_pieces(1e-3, [&](double piece) {
+                return implicit_dda::advance(system, {}, piece, {}, state, scratch, report);
+            });
+            EXPECT_EQ(outcome.problem, "");
         }
         return state.blocks;
     }

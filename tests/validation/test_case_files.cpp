@@ -183,7 +183,7 @@ TEST(CaseFiles, OneWordStandsForSeveralKeys) {
 }
 
 TEST(CaseFiles, EachPublishedCaseFileCanBeReadAndTakesFiveSteps) {
-    const std::vector<ValidationCase> cases = file_cases({});
+    const std::vector<ValidationCase> cases = file_cases();
     EXPECT_GT(cases.size(), 15U);
     const std::vector<std::string> soon{"settle=1e-4"}, as_it_stands;
     for (const ValidationCase& one : cases) {

@@ -11,12 +11,16 @@
 #include <vector>
 
 #include "riprap/bench/benches.hpp"
+#include "riprap/bench/block_wall.hpp"
 #include "riprap/bench/measure.hpp"
+#include "riprap/core/error.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/time_step.hpp"
+#include "riprap/solid/affine/body_bridge.hpp"
+#include "riprap/solid/affine/make_blocks.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 #include "riprap/solid/implicit_dda/advance.hpp"
 
@@ -28,27 +32,16 @@ namespace affine = solid::affine;
 namespace implicit_dda = solid::implicit_dda;
 namespace explicit_dda = solid::explicit_dda;
 
-/// A wall of boxes in running bond on a half-space, pressed together by a thousandth, its joints closed.
-void build_wall(int nx, int ny, int nz, affine::BlockSystem& system, affine::BlockState& state) {
-    add_material(system, {2500, 1e9, 0.25}, {1e7, 1e7, false, 0.6});
-    system.gravity = {0, 0, -9.81};
-    add_block(system, state, {.shape = add_half_space(system, {0, 0, 1}, 0)});
-    affine::NewBlock block;
-    const double gap = 0.999;
-    block.shape = -1;
-    for (int k = 0; k < nz; ++k) {
-        for (int j = 0; j < ny; ++j) {
-            for (int i = 0; i < nx; ++i) {
-                block.position = {gap * (i + 0.5 * (k % 2)), gap * j, 0.4995 + gap * k};
-                if (block.shape < 0) {
-                    add_box(system, state, {1, 1, 1}, block);
-                    block.shape = system.shape.back();
-                } else {
-                    add_block(system, state, block);
-                }
-            }
-        }
+/// Makes the blocks of a wall for an engine.
+void make_wall(const BlockWall& wall, affine::BlockSystem& system, affine::BlockState& state) {
+    affine::Elasticity rock;
+    rock.youngs_modulus = 1e9;
+    rock.contact_stiffness = 1e7;
+    if (const std::string problem = make_blocks(sim::solid_scene(wall.model), rock, system); !problem.empty()) {
+        throw InternalError(problem);
     }
+    read_bodies(wall.bodies, wall.model.bodies, state);
+    system.gravity = wall.model.gravity.value;
 }
 
 struct Implicit {
@@ -59,7 +52,7 @@ struct Implicit {
     implicit_dda::StepReport report{};
 
     void step() {
-        const auto outcome = advance(system, {}, settings, 1e-3, {}, state, scratch, report);
+        const auto outcome = advance(system, settings, 1e-3, {}, state, scratch, report);
         if (!outcome.ok()) {
             throw std::runtime_error(outcome.problem);
         }
@@ -75,7 +68,7 @@ struct Explicit {
     double dt{0};
 
     Explicit(int nx, int ny, int nz) {
-        build_wall(nx, ny, nz, system, state.blocks);
+        make_wall(wall_of_cubes(nx, ny, nz), system, state.blocks);
         settings.mass_damping = 10;
         dt = 0.5 * explicit_dda::stable_step(system, state.blocks);
     }
@@ -225,7 +218,7 @@ void compare_with_traffic(int threads, Implicit& run, std::vector<Result>& resul
 
 void dda_implicit_3400(const Setting& setting, std::vector<Result>& results) {
     Implicit run;
-    build_wall(17, 10, 20, run.system, run.state.blocks);
+    make_wall(wall_of_cubes(17, 10, 20), run.system, run.state.blocks);
     run.settings.open_close = 20;
     for (int i = 0; i < 3; ++i) {
         run.step();

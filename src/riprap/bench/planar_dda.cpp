@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "riprap/bench/benches.hpp"
+#include "riprap/bench/block_wall.hpp"
 #include "riprap/bench/measure.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
+#include "riprap/solid/planar_dda/make_blocks.hpp"
 #include "riprap/solid/planar_dda/state.hpp"
 #include "riprap/solid/planar_dda/step.hpp"
 
@@ -26,22 +29,20 @@ struct Wall {
     StepReport report;
 
     Wall(int columns, int rows) {
-        model.materials.push_back({2500, 1e10, 0.2});
-        model.set_joint(0, 0, {.normal_stiffness = 1e9, .shear_stiffness = 4e8, .friction = 0.6, .damping_ratio = 0.2});
-        settings = settings_for(0.5 * columns);
-        Builder builder(model, state);
-        const auto add = [&builder](double x, double y, double width, double height, bool is_fixed) {
-            const std::vector<Vec2> corners{{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
-            if (!builder.add_block(corners, 0, is_fixed)) {
-                throw InternalError("a brick of the bench is refused");
-            }
-        };
-        add(-1, -1, columns + 2, 1, true);
-        for (int row = 0; row < rows; ++row) {
-            for (int column = 0; column < columns; ++column) {
-                add(column + 0.5 * (row % 2), 0.5 * row, 1, 0.5, false);
-            }
+        const BlockWall wall = wall_of_bricks(columns, rows);
+        const solid::SolidScene scene = sim::solid_scene(wall.model);
+        solid::affine::Elasticity rock;
+        rock.youngs_modulus = 1e10;
+        rock.poisson_ratio = 0.2;
+        rock.contact_stiffness = 1e9;
+        SceneBlocks blocks = make_blocks(scene, wall.bodies, disc_around(scene, wall.bodies), rock, PlaneState::stress);
+        if (!blocks.problems.empty()) {
+            throw InternalError("the bench of planar DDA: " + blocks.problems.front().message);
         }
+        model = std::move(blocks.model);
+        state = std::move(blocks.state);
+        settings.displacement_limit = 0.005 * 0.5 * columns;
+        settings.close_tolerance = settings.open_tolerance = 1e-11 * 0.5 * columns;
     }
     void step() {
         const Outcome outcome = advance(model, settings, {1e-3, {0, -9.81}, {}, {}}, state, scratch, report);

@@ -7,7 +7,6 @@
 
 #include "riprap/contact/narrowphase/overlap_integrals.hpp"
 #include "riprap/contact/narrowphase/spin_arm.hpp"
-#include "riprap/contact/sharp_push.hpp"
 
 namespace riprap::contact {
 
@@ -90,7 +89,7 @@ void CornerFoot::fit_to_width(Corners corners) {
         return;
     }
     double h = 1, h_by_room = 0;
-    if (corners == Corners::stiff && is_sharp(a_.shape) && is_sharp(b_.shape)) {
+    if (corners == Corners::stiff && a_.shape.is_sharp && b_.shape.is_sharp) {
         const double size = std::min(a_.shape.inscribed_radius, b_.shape.inscribed_radius);
         const double q = std::min(room_ / size, 1.0);
         h = narrowest - (narrowest - 1) * q * q * (3 - 2 * q);

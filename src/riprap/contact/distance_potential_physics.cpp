@@ -28,7 +28,7 @@ bool find_with_foot(const CornerFoot& foot, const PressedShape& a, const Pressed
         return foot.stand(normal);
     }
     // Takes the energy of the potential along: what turns the faces asks for it.
-    const bool is_stiff = options.corners == Corners::stiff && is_sharp(a.placed.shape) && is_sharp(b.placed.shape);
+    const bool is_stiff = options.corners == Corners::stiff && a.placed.shape.is_sharp && b.placed.shape.is_sharp;
     DistancePotentialOptions wanted = options;
     wanted.with_energy = options.with_energy || foot.share() > 0 || is_stiff;
     if (!find_potential(a, b, wanted, cache, normal)) {
@@ -39,7 +39,7 @@ bool find_with_foot(const CornerFoot& foot, const PressedShape& a, const Pressed
         const double modulus = a.stiffness + b.stiffness;
         const double radius = std::min(a.placed.shape.inscribed_radius, b.placed.shape.inscribed_radius);
         SharpPush(modulus, std::max(stiffness_per_area(a, b), modulus / (2 * radius)),
-                  is_planar(a.placed.shape) || is_planar(b.placed.shape))
+                  a.placed.shape.is_planar || b.placed.shape.is_planar)
             .stiffen(normal);
     }
     if (foot.share() > 0) {

@@ -6,13 +6,6 @@
 
 namespace riprap::contact {
 
-/// True for a prism of a planar scene: one unit thick, both end faces internal.
-bool is_planar(const geometry::ConvexView& shape);
-
-/// True for a part with sharp edges alone: the normals of its faces are 29 degrees apart at least, and no cut through a
-/// concave body, a mesh or a ground bounds it (internal faces that are no end faces). A half-space is sharp.
-bool is_sharp(const geometry::ConvexView& shape);
-
 /// Push of sharp parts where they meet by corners and edges. The distance potential gives way too much there: its
 /// stiffness grows with the area of what overlaps, that of a punch on an elastic half-space with the size of it. A
 /// function of its energy E_p takes its place,

@@ -30,6 +30,8 @@ struct ConvexView {
     const std::uint8_t* is_internal;  ///< per face
     double inscribed_radius;          ///< radius r of the largest inscribed sphere [m]
     double circumradius;              ///< largest distance of a vertex from the origin [m]
+    bool is_planar;                   ///< a prism of a planar scene (is_planar_prism)
+    bool is_sharp;                    ///< all edges are sharp (has_sharp_edges)
 
     RIPRAP_HD Vec3 vertex(int i) const { return {vertex_x[i], vertex_y[i], vertex_z[i]}; }
     RIPRAP_HD Vec3 normal(int j) const { return {normal_x[j], normal_y[j], normal_z[j]}; }

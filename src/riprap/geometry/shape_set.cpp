@@ -9,6 +9,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/geometry/chebyshev.hpp"
 #include "riprap/geometry/merge_faces.hpp"
+#include "riprap/geometry/sharp_edges.hpp"
 
 namespace riprap::geometry {
 
@@ -123,11 +124,10 @@ ShapeId ShapeSet::add_convex(const Polyhedron& polyhedron, bool planar, Vec3* ce
     }
     append_vertices(shape.vertices);
     append_faces(shape, planes, weights);
-    entries_.push_back(added);
     if (centroid != nullptr) {
         *centroid = mass.centroid;
     }
-    return {size() - 1};
+    return append_entry(added);
 }
 
 ShapeId ShapeSet::add_half_space(const Vec3& normal, double offset) {
@@ -138,8 +138,16 @@ ShapeId ShapeSet::add_half_space(const Vec3& normal, double offset) {
     added.inscribed_radius = infinity;
     added.circumradius = infinity;
     append_faces({{}, {{}}, {}}, {{normal / length, offset / length}}, {0.0});
-    entries_.push_back(added);
-    return {size() - 1};
+    return append_entry(added);
+}
+
+ShapeId ShapeSet::append_entry(const Entry& entry) {
+    entries_.push_back(entry);
+    const ShapeId id{size() - 1};
+    const ConvexView added = view(id);
+    entries_.back().is_planar = is_planar_prism(added);
+    entries_.back().is_sharp = has_sharp_edges(added);
+    return id;
 }
 
 ShapeSet::Entry ShapeSet::new_entry(std::size_t vertex_count, std::size_t face_count) const {
@@ -212,7 +220,9 @@ ConvexView ShapeSet::view(ShapeId shape) const {
             .face_vertex = face_vertex_.data() + e.loop_begin,
             .is_internal = is_internal_.data() + e.face_begin,
             .inscribed_radius = e.inscribed_radius,
-            .circumradius = e.circumradius};
+            .circumradius = e.circumradius,
+            .is_planar = e.is_planar,
+            .is_sharp = e.is_sharp};
 }
 
 Polyhedron ShapeSet::polyhedron(ShapeId shape) const {

@@ -54,12 +54,13 @@ class ShapeSet {
         std::int32_t vertex_begin, vertex_count;
         std::int32_t face_begin, face_count;
         std::int32_t start_begin, loop_begin;
-        bool is_half_space;
+        bool is_half_space, is_planar, is_sharp;
         double inscribed_radius, circumradius, volume;
         Mat3 second_moment, area_tensor;
     };
     const Entry& entry(ShapeId shape) const { return entries_[static_cast<std::size_t>(shape.value)]; }
     Entry new_entry(std::size_t vertex_count, std::size_t face_count) const;
+    ShapeId append_entry(const Entry& entry);
     void append_vertices(const std::vector<Vec3>& vertices);
     void append_faces(const Polyhedron& shape, const std::vector<Plane>& planes, const std::vector<double>& weights);
 

@@ -100,7 +100,8 @@ std::vector<PropertyKey<Material>> material_keys() {
          without_default(number(&M::normal_stiffness, "normal_stiffness", dimension::pressure, positive(),
                                 "Factor k_n of the distance potential, a pressure: two flat faces of area S press with "
                                 "k_n S (1/r_a + 1/r_b) per unit of overlap, r the inscribed radii. Required of bodies "
-                                "that meet others by their faces."))}};
+                                "that meet others by their faces. The DDA methods have contact_stiffness of [solid] "
+                                "instead, in N/m."))}};
     for (PropertyKey<M>& key : surface_keys<M>()) {
         keys.push_back(std::move(key));
     }

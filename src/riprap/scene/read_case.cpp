@@ -25,6 +25,7 @@
 #include "riprap/scene/warnings/density_warnings.hpp"
 #include "riprap/scene/warnings/distant_bodies.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
+#include "riprap/scene/warnings/late_starts.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/time_step.hpp"
 
@@ -214,6 +215,8 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     if (build.has_sound_bodies) {
         build_fluid(build);
         warn_of_densities(build);
+        warn_of_late_starts(build);
+        warn_of_steep_friction(build);
     }
     if (loaded.model.bodies.size() == 0 && !loaded.model.has_fluid() && problems.empty()) {
         build.problem(resolved.place, "the case has no bodies and no water",

@@ -9,20 +9,13 @@
 
 #include "riprap/validation/after_step.hpp"
 #include "riprap/validation/result.hpp"
-#include "riprap/view/plot_svg.hpp"
 
 namespace riprap::validation {
-
-// Every case draws its curves with these.
-using view::Axis;
-using view::Curve;
-using view::CurveStyle;
-using view::Plot;
 
 /// Input of a case besides its report.
 struct CaseSetting {
     std::filesystem::path folder;   ///< validation/<suite>/<case> with the case's files
-    std::filesystem::path results;  ///< where plots go; empty = none are written
+    std::filesystem::path results;  ///< where runs are kept; empty = they are not
     bool is_full{false};            ///< the long version
     AfterStep after_step{};         ///< is told how far a simulation is, where it is set
 };
@@ -36,10 +29,7 @@ struct ValidationCase {
     void (*run)(const CaseSetting& setting, CaseReport& report);
 };
 
-/// Every case, in the order in which they run. One explicit list: nothing registers itself.
+/// Every case, in the order in which they run: the case files of all suites, then the scenes of the cross table.
 std::span<const ValidationCase> all_cases();
-
-/// Writes a plot as <results>/<name>.svg; does nothing when no plots are wanted.
-void write_plot(const CaseSetting& setting, std::string_view name, const Plot& plot);
 
 }  // namespace riprap::validation

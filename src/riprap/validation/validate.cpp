@@ -132,12 +132,6 @@ std::filesystem::path case_folder(const ValidateOptions& options) {
     return std::filesystem::is_directory("validation", ignored) ? "validation" : RIPRAP_VALIDATION_FOLDER;
 }
 
-void write_plot(const CaseSetting& setting, std::string_view name, const Plot& plot) {
-    if (!setting.results.empty()) {
-        write_svg(setting.results / fmt::format("{}.svg", name), plot);
-    }
-}
-
 int validate(const ValidateOptions& options, std::span<const ValidationCase> cases, std::ostream& out,
              std::ostream* progress) {
     if (const std::vector<std::string> unknown = unknown_names(options, cases); !unknown.empty()) {

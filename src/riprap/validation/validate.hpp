@@ -16,7 +16,7 @@ struct ValidateOptions {
     std::vector<std::string> selection;         ///< "zhao", "zhao/incline"; empty = every suite
     bool is_full{false};                        ///< also long cases, and every case in its long version
     bool as_json{false};                        ///< one JSON object per suite instead of tables
-    std::string results{"validation-results"};  ///< plots go to <results>/<suite>/; empty = no plots
+    std::string results{"validation-results"};  ///< runs go to <results>/<suite>/; empty = none is kept
     std::string folder;                         ///< with the case files; empty = validation/ here, else the source's
     double tell_every{60};                      ///< `progress` says as often how far a simulation is [s]
     std::function<void(const std::string&)> after_case{};  ///< is given all results so far, as JSON, where it is set

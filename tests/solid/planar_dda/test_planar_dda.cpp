@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "riprap/core/fields.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/solid/planar_dda/pieces.hpp"
+#include "riprap/solid/affine/bonds.hpp"
+#include "riprap/solid/planar_dda/bond_faces.hpp"
 #include "solid/planar_dda/blocks.hpp"
 
 namespace riprap::solid::planar_dda {
@@ -16,12 +18,16 @@ namespace {
 constexpr double g = 9.81;
 constexpr double degree = std::numbers::pi / 180;
 
+/// Energy of a state beside that at the start and what the accounts say was put in and lost.
 double imbalance(const Blocks& blocks, double at_start) {
-    return energies_of(blocks.model, blocks.state).total() - at_start - balance_of(blocks.state.accounts);
+    const Accounts& a = blocks.state.accounts;
+    const double given = a.work_gravity + a.work_loads + a.work_driven + a.constraint_work + a.linearization;
+    const double lost = a.friction_loss + a.dashpot_loss + a.bond_loss + a.newmark_loss + a.static_loss;
+    return energies_of(blocks.model, blocks.state).total() - at_start - (given - lost);
 }
 
 TEST(PlanarDda, AConstantForceIsFollowedExactlyAtAnyStep) {
-    for (const double dt : {0.5, 0.1, 0.001}) {
+    for (const double dt : {0.5, 0.1, 0.002}) {  // 500 steps: half a unit in the last place of g each is 4e-13
         Blocks blocks;
         blocks.settings.displacement_limit = 100;
         const std::int32_t block = blocks.add({{0, 0}, {2, 0}, {1.2, 1.7}});
@@ -51,9 +57,7 @@ TEST(PlanarDda, ALoadStrainsABlockByHookesLaw) {
     blocks.settings = settings_for(10, 0.1);
     blocks.settings.dynamic_factor = 0;
     blocks.add_box({-1, -0.5}, {2, 1});
-    Builder builder(blocks.model, blocks.state);
-    builder.add_load(0, {1, 0}, {100, 0});
-    builder.add_load(0, {-1, 0}, {-100, 0});
+    blocks.loads = {{0, 0, 0, 200, 0, 0}};  // 100 N at either end, 1 m from the middle
     ASSERT_TRUE(blocks.run(40, 10.0));
     EXPECT_NEAR(blocks.state.stress_x[0], 100, 0.05);
     EXPECT_NEAR(blocks.state.stress_y[0], 0, 1e-6);
@@ -151,7 +155,9 @@ TEST(PlanarDda, ABondBreaksOnceAndForGood) {
     blocks.settings.dynamic_factor = 0;
     blocks.add_box({-1, -1}, {2, 1}, true);
     blocks.add_box({-0.5, 0}, {1, 1});
-    ASSERT_EQ(bond_contacts(blocks.model, blocks.settings, 1e-9, blocks.state), 2);
+    blocks.settings.bond_share = affine::bond_tolerance;
+    bond_faces(blocks.model, blocks.settings, blocks.state);
+    ASSERT_EQ(blocks.state.contact_corner.size(), 2u);
     ASSERT_TRUE(blocks.run(20, 0.01, {0, 0.79}));  // pulled with 1975 N
     EXPECT_EQ(blocks.state.contact_corner.size(), 2u);
     EXPECT_NEAR(blocks.state.contact_force[0], -0.5 * 2500 * 0.79, 1);
@@ -174,7 +180,9 @@ TEST(PlanarDda, MultipliersRemoveTheOverlapThatAPenaltyLeaves) {
     ASSERT_TRUE(blocks.run(30, 0.1, {0, -g}));
     std::vector<Vec2> corners;
     place_corners(blocks.model, blocks.state, corners);
-    EXPECT_NEAR(corners[4].y, 0, 1e-8) << "a penalty alone leaves 12 mm";
+    const auto lowest =
+        std::min_element(corners.begin() + 4, corners.end(), [](const Vec2& p, const Vec2& q) { return p.y < q.y; });
+    EXPECT_NEAR(lowest->y, 0, 1e-8) << "a penalty alone leaves 12 mm";
     EXPECT_NEAR(blocks.state.contact_multiplier[0] + blocks.state.contact_multiplier[1], 2500 * g, 1);
 }
 
@@ -315,18 +323,6 @@ TEST(PlanarDda, TheFarSideOfAThinBlockIsNotTouched) {
     EXPECT_NEAR(blocks.state.y[1], 0.25, 1e-3);
 }
 
-TEST(PlanarDda, AStepTooLongIsTakenInPieces) {
-    Blocks blocks;
-    blocks.add_box({0, 0}, {1, 1});
-    blocks.state.rates[1] = -10;
-    int pieces = 0;
-    const Outcome outcome = advance_in_pieces(blocks.model, blocks.settings, {0.1, {0, -g}, {}, {}}, blocks.state,
-                                              blocks.scratch, blocks.report, pieces);
-    EXPECT_TRUE(outcome.ok()) << outcome.problem;
-    EXPECT_GE(pieces, 7) << "1 m, at most three times 0.05 m a piece";
-    EXPECT_NEAR(blocks.state.y[0], 0.5 - 1 - 0.5 * g * 0.01, 1e-12) << "pieces change nothing in free fall";
-}
-
 TEST(PlanarDda, SameBitsAtAnyThreadCountAndWithoutItsBuffers) {
     std::uint64_t first = 0;
     for (const int threads : {1, 2, 4}) {
@@ -349,18 +345,19 @@ TEST(PlanarDda, SameBitsAtAnyThreadCountAndWithoutItsBuffers) {
     parallel::set_thread_count(1);
 }
 
-TEST(PlanarDda, NumbersThatCannotBeComputedWithAreNamed) {
-    Blocks blocks({.normal_stiffness = -1}, {2500, 5e10, 0.7});
-    EXPECT_TRUE(problems_of(Blocks().model).empty());
-    const auto problems = problems_of(blocks.model);
-    ASSERT_EQ(problems.size(), 1u);
-    EXPECT_EQ(problems[0].message, "contact_stiffness is -1 N/m");
-    blocks.model.joints.push_back(blocks.model.joints[0]);
-    EXPECT_EQ(problems_of(blocks.model).size(), 1u) << "the stiffness of another pair is the same";
-    blocks.model.joints.pop_back();
-    blocks.model.plane = PlaneState::strain;
-    EXPECT_EQ(problems_of(blocks.model).size(), 2u) << "plane strain ends at Poisson's ratio 1/2";
-    EXPECT_FALSE(Builder(blocks.model, blocks.state).add_block(std::vector<Vec2>{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, 0));
+TEST(PlanarDda, StiffnessesThatCannotBeComputedWithAreNamedOnce) {
+    Blocks blocks({.normal_stiffness = -1});
+    blocks.scene.add_material(blocks.scene.materials.materials[0]);  // the stiffness of another pair is the same
+    blocks.add_box({0, 0}, {1, 1});
+    ASSERT_EQ(blocks.problems.size(), 1u);
+    EXPECT_EQ(blocks.problems[0].message, "contact_stiffness is -1 N/m");
+    Blocks stiff({.shear_stiffness = 1.1e6 * 5e10});
+    stiff.add_box({0, 0}, {1, 1});
+    ASSERT_EQ(stiff.problems.size(), 1u);
+    EXPECT_EQ(stiff.problems[0].message, "shear stiffness is 5.5e+16 N/m");
+    Blocks sound;
+    sound.add_box({0, 0}, {1, 1});
+    EXPECT_TRUE(sound.problems.empty());
 }
 
 }  // namespace

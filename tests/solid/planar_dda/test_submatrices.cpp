@@ -74,7 +74,7 @@ TEST(PlanarDdaSubmatrices, MassIsTheIntegralOfTheDisplacementFunctions) {
     Blocks blocks;
     blocks.add(ell);
     const Vec2 center{blocks.state.x[0], blocks.state.y[0]};
-    const double density = blocks.model.materials[0].density;
+    const double density = 2500;
     const auto kinetic = [&](const Unknowns& v) {
         const auto square = [&](const Vec2& p) {
             const Vec2 u = displacement_at(p - center, v);
@@ -108,7 +108,7 @@ TEST(PlanarDdaSubmatrices, MassFollowsAStretchedAndTurnedBlock) {
 
 TEST(PlanarDdaSubmatrices, StrainAndStressEnergyGiveStiffnessAndForce) {
     for (const PlaneState plane : {PlaneState::stress, PlaneState::strain}) {
-        const Elasticity e = elasticity_of({2500, 8e3, 0.3}, plane);
+        const Elasticity e = elasticity_of({8e3, 0.3}, plane);
         const Stress before{30, -20, 7};
         const double volume = 2.5;
         const auto energy = [&](const Unknowns& d) {
@@ -132,7 +132,7 @@ TEST(PlanarDdaSubmatrices, StrainAndStressEnergyGiveStiffnessAndForce) {
 TEST(PlanarDdaSubmatrices, PlaneStressAndStrainGiveTheTextbookModuli) {
     const double E = 2e5, nu = 0.3;
     const auto pulled = [&](PlaneState plane) {  // stiffness along x with free sides
-        const Elasticity e = elasticity_of({1, E, nu}, plane);
+        const Elasticity e = elasticity_of({E, nu}, plane);
         return e.direct - e.cross * e.cross / e.direct;
     };
     EXPECT_NEAR(pulled(PlaneState::stress), E, 1e-9 * E);
@@ -141,7 +141,7 @@ TEST(PlanarDdaSubmatrices, PlaneStressAndStrainGiveTheTextbookModuli) {
 
 TEST(PlanarDdaSubmatrices, MaterialIsIsotropic) {
     for (const PlaneState plane : {PlaneState::stress, PlaneState::strain}) {
-        const Elasticity e = elasticity_of({1, 2e5, 0.3}, plane);
+        const Elasticity e = elasticity_of({2e5, 0.3}, plane);
         // a pure shear is a stretch and a squeeze at 45 degrees: gamma = 2 eps stores the same energy
         const double eps = 1e-3;
         const Stress sheared = stress_of(e, {0, 0, 0, 0, 0, 2 * eps}),

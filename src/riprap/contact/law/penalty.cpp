@@ -5,7 +5,7 @@
 
 namespace riprap::contact {
 
-PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion) {
+PenaltyAnswer penalty(const JointLaws& law, const PenaltySprings& springs, const PenaltyMotion& motion) {
     PenaltyAnswer answer;
     const double strength = motion.is_intact ? springs.tension : 0;
     const double elastic = -springs.normal_stiffness * motion.gap;
@@ -24,7 +24,7 @@ PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion
     const Vec3 old_slip = motion.slip - dot(motion.slip, motion.normal) * motion.normal;
     const Vec3 trial = old_slip + motion.time * sliding;
     const double cohesion = motion.is_intact ? springs.cohesion : 0;
-    const double limit = std::max(0.0, answer.normal_force * springs.friction + cohesion);
+    const double limit = shear_strength(law, {answer.normal_force, springs.friction, cohesion});
     const double size = springs.shear_stiffness * norm(trial);
     answer.is_sliding = size > limit;
     answer.plastic_slip = motion.is_intact ? motion.plastic_slip : 0;
@@ -40,7 +40,7 @@ PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion
             return answer;
         }
         const bool breaks = motion.is_intact && !answer.is_intact;
-        const double friction = breaks ? answer.normal_force * springs.friction : limit;
+        const double friction = breaks ? shear_strength(law, {answer.normal_force, springs.friction, 0}) : limit;
         answer.slip = (friction / size) * trial;
         shear = -springs.shear_stiffness * answer.slip;
         const double half = 0.5 * springs.shear_stiffness;

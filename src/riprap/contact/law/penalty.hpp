@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "riprap/contact/law/joint_laws.hpp"
 #include "riprap/core/vec3.hpp"
 
 namespace riprap::contact {
@@ -43,16 +44,16 @@ struct PenaltyAnswer {
     Vec3 dashpot{};           ///< the part of the force that is due to the dashpots [N]
 };
 
-/// Penalty contact with Coulomb friction [MikolaSitar2013], one point at a time:
+/// Penalty contact with friction [MikolaSitar2013], one point at a time:
 ///
 ///     f_n = -k_n g + c_n v.n,  at least 0 (or minus the tensile strength while intact),
-///     t  <- t + (v - (v.n) n) dt,   f_s = -k_s t - c_s v_t,   |f_s| <= f_n tan phi + C,
+///     t  <- t + (v - (v.n) n) dt,   f_s = -k_s t - c_s v_t,   |f_s| <= S(f_n, C),
 ///
-/// n from a to b, v = v_a - v_b. Where the limit is passed the contact slides: t is shortened to it, and friction takes
-/// the slip lost times the mean force over the time: a limit that grew from nothing took half as much. A bond that has
-/// slid by more than bond_slip in all breaks: cohesion C and tension are lost for good and t is shortened to f_n tan
-/// phi/k_s; one that slides while it is apart opens. Stiffness per area with the area of the point makes it the soft
-/// contact of [Ding2021, eq. 2.10].
-PenaltyAnswer penalty(const PenaltySprings& springs, const PenaltyMotion& motion);
+/// n from a to b, v = v_a - v_b, S the strength by the joint law, of Coulomb f_n tan phi + C. Where the limit is passed
+/// the contact slides: t is shortened to it, and friction takes the slip lost times the mean force over the time: a
+/// limit that grew from nothing took half as much. A bond that has slid by more than bond_slip in all breaks: cohesion
+/// C and tension are lost for good and t is shortened to S(f_n, 0)/k_s; one that slides while it is apart opens.
+/// Stiffness per area with the area of the point makes it the soft contact of [Ding2021, eq. 2.10].
+PenaltyAnswer penalty(const JointLaws& law, const PenaltySprings& springs, const PenaltyMotion& motion);
 
 }  // namespace riprap::contact

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/particle/cell_grid.hpp"
 #include "riprap/geometry/convex_query.hpp"
 
 namespace riprap::coupling {
@@ -19,6 +20,7 @@ namespace {
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 constexpr double same_depth = 1e-6;  ///< of a spacing: depths closer than this are equal
+constexpr double same_place = 1e-3;  ///< of a spacing: middles of cells closer than this are one
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Depth of a place in a body, negative outside, and the outward normal of the nearest face.
@@ -63,16 +65,46 @@ Depth depth_in_ground(const body::Ground& ground, const Pose& pose, const Vec3& 
     return {ground.field.is_inside(in_body) ? reach : -reach, {0, 0, 1}};
 }
 
+/// Where samples stand, body by body.
+class SamplePlaces {
+ public:
+    SamplePlaces(const SampleSet& samples, const body::BodyState& state, double spacing)
+        : bodies_(samples.body.begin(), samples.body.end()), near_(same_place * spacing) {
+        places_.reserve(at(samples.size()));
+        for (std::size_t i = 0; i < at(samples.size()); ++i) {
+            const auto b = at(samples.body[i].value);
+            places_.push_back(to_world({state.position[b], state.orientation[b]}, samples.anchor[i]));
+        }
+        if (!places_.empty()) {
+            cells_.build(places_, fluid::Domain{}, spacing);
+        }
+    }
+    const Vec3& place(std::int64_t sample) const { return places_[at(sample)]; }
+    /// Tells whether a body has a sample at x.
+    bool has_sample(BodyId body, const Vec3& x) const {
+        return cells_.view().any_near(x, [&](std::int64_t k) {
+            return bodies_[at(k)] == body && norm_squared(places_[at(k)] - x) <= near_ * near_;
+        });
+    }
+
+ private:
+    std::vector<BodyId> bodies_;
+    std::vector<Vec3> places_;
+    double near_;
+    fluid::CellGrid cells_;
+};
+
 /// Decides what of a cell belongs to whom.
 class Seams {
  public:
     Seams(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
-          const SampleSettings& settings, std::span<const body::Ground> grounds)
+          const SampleSettings& settings, std::span<const body::Ground> grounds, const SamplePlaces& samples)
         : shapes_(shapes),
           bodies_(bodies),
           state_(state),
           settings_(settings),
           grounds_(grounds),
+          samples_(&samples),
           dimension_(bodies.is_planar ? 2 : 3) {
         for (std::int32_t b = 0; b < bodies.size(); ++b) {
             const bool is_dry = !settings.is_dry.empty() && settings.is_dry[at(b)] != 0;
@@ -100,7 +132,7 @@ class Seams {
                 return 0;
             }
             if (more > -reach) {
-                const bool is_tied = std::abs(more) <= tolerance();
+                const bool is_tied = std::abs(more) <= tolerance() && samples_->has_sample(still.body, x);
                 if (is_tied && still.body < owner) {
                     return 0;
                 }
@@ -118,7 +150,7 @@ class Seams {
     };
     struct Rival {
         BodyId body;
-        bool is_tied;  ///< as deep at the middle of the cell, and leaves its part
+        bool is_tied;  ///< as deep at the middle of the cell, with a cell of its own there, and leaves its part
     };
 
     double tolerance() const { return same_depth * settings_.spacing; }
@@ -192,6 +224,7 @@ class Seams {
     const body::BodyState& state_;
     const SampleSettings& settings_;
     std::span<const body::Ground> grounds_;
+    const SamplePlaces* samples_;
     int dimension_;
     std::vector<Still> still_;
 };
@@ -204,14 +237,15 @@ bool is_still(const body::BodySet& bodies, BodyId body) {
 
 void share_seams(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
                  const SampleSettings& settings, std::span<const body::Ground> grounds, SampleSet& samples) {
-    const Seams seams(shapes, bodies, state, settings, grounds);
+    const SamplePlaces places(samples, state, settings.spacing);
+    const Seams seams(shapes, bodies, state, settings, grounds, places);
     std::vector<double> share(at(samples.size()), 1);
     parallel::for_each_uneven(samples.size(), 256, [&](std::int64_t i) {
         const BodyId owner = samples.body[at(i)];
         if (is_still(bodies, owner)) {
             const Pose pose{state.position[at(owner.value)], state.orientation[at(owner.value)]};
             const Vec3 normal = rotate(pose.orientation, samples.normal[at(i)]);
-            share[at(i)] = seams.share(owner, to_world(pose, samples.anchor[at(i)]), normal);
+            share[at(i)] = seams.share(owner, places.place(i), normal);
         }
     });
     for (std::size_t i = 0; i < share.size(); ++i) {

@@ -84,7 +84,7 @@ void add_entries(const MpsSettings& settings, const MpsLattice& lattice, const L
         const bool is_mirrored = s.walls.mirrors[w] != 0;
         const double all = is_mirrored ? 0 : s.at_walls.load_weight[w];
         const double mean = all > 0 ? near / all : 0;  // share of i in the pressure of w
-        const Six lean = is_mirrored ? u : along(s.at_walls.slope[w], bodies.arm[w]);
+        const Six lean = is_mirrored ? u : along(s.at_walls.load_slope[w], bodies.arm[w]);
         const Six carry = all > 0 ? along(s.at_walls.load_moment[w] / all, bodies.arm[w]) : u;
         for (std::size_t k = 0; k < 6; ++k) {
             entry.flux[k] += c * near * u[k];

@@ -60,15 +60,16 @@ struct MpsWalls {
 struct MpsAtWalls {
     std::vector<double> weight, pressure;  ///< of MpsWallAverages
     std::vector<Vec3> moment, velocity;
-    std::vector<Vec3> slope, push;                              ///< of MpsPressureOnWalls, as is
-    std::vector<std::array<double, symmetric_numbers>> spread;  ///< sum of W/r^2 d d^T
-    std::vector<double> load_weight, load_pressure;             ///< of PressureAtWalls
-    std::vector<Vec3> load_moment;
-    double cell_weight{0}, slope_factor{0};  ///< from sums to WaterAtWalls
+    std::vector<Vec3> slope;  ///< of SlopeAtWalls
+    // At r**, for the loads: of PressureAtWalls, or where walls mirror each particle of MpsPressureOnWalls.
+    std::vector<double> load_weight, load_pressure;
+    std::vector<Vec3> load_moment, load_slope, load_push;
+    std::vector<std::array<double, symmetric_numbers>> load_spread;  ///< sum of W/r^2 d d^T
+    double cell_weight{0}, slope_factor{0};                          ///< from sums to WaterAtWalls
 
     std::size_t bytes() const {
-        return bytes_of(weight, pressure, moment, velocity, slope, push, spread, load_weight, load_pressure,
-                        load_moment);
+        return bytes_of(weight, pressure, moment, velocity, slope, load_weight, load_pressure, load_moment, load_slope,
+                        load_push, load_spread);
     }
 };
 

@@ -16,7 +16,8 @@ void Mps::average_at_walls(const BoundaryParticles& walls, const Vec3& gravity) 
     make_zeros(walls.position.size(), at.load_weight, at.load_pressure, at.load_moment);
     add_pair_sums(settings_, mps::PressureAtWalls{weight_}, side(s.around.predicted_walls),
                   side(s.around.predicted, s.water.pressure),
-                  sinks(at.load_weight, at.load_pressure, at.load_moment, at.slope, at.push), s.lists.walls_fluid);
+                  sinks(at.load_weight, at.load_pressure, at.load_moment, at.load_slope, at.load_push),
+                  s.lists.walls_fluid);
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const double weight = s.at_walls.load_weight[w];
@@ -31,14 +32,14 @@ void Mps::mirror_at_walls() {
     s.around.ones.assign(s.around.predicted.size(), 1.0);
     add_pair_sums(settings_, MpsPressureOnWalls{weight_}, side(s.around.predicted_walls),
                   side(s.around.predicted, s.around.ones, s.water.pressure),
-                  sinks(s.at_walls.slope, s.at_walls.push, s.at_walls.spread), s.lists.walls_fluid);
+                  sinks(s.at_walls.load_slope, s.at_walls.load_push, s.at_walls.load_spread), s.lists.walls_fluid);
     s.walls.pressure = s.walls.given;
 }
 
 void Mps::find_wall_loads(BoundaryParticles& walls, const Vec3& gravity) {
     MpsScratch& s = scratch_;
     const auto count = walls.position.size();
-    make_zeros(count, s.at_walls.slope, s.at_walls.push, s.at_walls.spread);
+    make_zeros(count, s.at_walls.load_slope, s.at_walls.load_push, s.at_walls.load_spread);
     s.walls.pressure.resize(count);
     if (settings_.wall_pressure == MpsWallPressure::averaged) {
         average_at_walls(walls, gravity);
@@ -55,8 +56,8 @@ void Mps::find_wall_loads(BoundaryParticles& walls, const Vec3& gravity) {
         const double seen = s.at_walls.weight[w] > 0 ? (s.at_walls.pressure[w] + head) / s.at_walls.weight[w] : 0;
         walls.pressure[w] = s.walls.follows[w] == 0 ? s.walls.given[w] : std::max(0.0, seen);
         const double m = s.walls.mirrors[w];
-        const Vec3 carried = (1 + m) * s.at_walls.push[w] + s.walls.pressure[w] * s.at_walls.slope[w] +
-                             m * symmetric_apply(s.at_walls.spread[w], s.walls.head[w]);
+        const Vec3 carried = (1 + m) * s.at_walls.load_push[w] + s.walls.pressure[w] * s.at_walls.load_slope[w] +
+                             m * symmetric_apply(s.at_walls.load_spread[w], s.walls.head[w]);
         walls.pressure_force[w] = factor * s.walls.share[w] * carried + s.walls.collision_force[w];
     });
 }

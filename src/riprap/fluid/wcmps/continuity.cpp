@@ -79,20 +79,31 @@ void Wcmps::share_openings(const ParticleState& state, const BoundaryParticles& 
         walls_.openings);
 }
 
-void Wcmps::sum_continuity(const ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity) {
-    WcmpsContinuity& s = continuity_;
-    make_zeros(state.density.size(), s.rate, s.stir, s.diffusion, s.crowding, s.neighbours, s.slip, s.normal);
+WcmpsDensitySums Wcmps::sum_continuity(const ParticleState& state, const BoundaryParticles& walls,
+                                       const Vec3& gravity) {
+    const std::size_t count = state.density.size();
+    stage_.resize(count, true, WcmpsForceSums::places);
+    const WcmpsDensitySums s = lend_wcmps_density_sums(stage_);
+    continuity_.rate.resize(count);
+    continuity_.neighbours.resize(count);
     const Vec3 head = settings_.diffuses_hydrostatic ? Vec3{} : settings_.rest_density * gravity;
-    add_pair_sums_within(settings_, NumberContinuity{weight_, {head.x, head.y, head.z}},
-                         side(state.position, state.velocity, water_.pressure, water_.concentration),
-                         sinks(s.rate, s.diffusion, s.crowding, s.neighbours, s.normal, s.stir), lists_.fluid_fluid);
-    s.damped = s.crowding;
+    add_pair_sums_within(
+        settings_, NumberContinuity{weight_, {head.x, head.y, head.z}},
+        side(state.position, state.velocity, water_.pressure, water_.concentration),
+        fresh(sinks(continuity_.rate, s.diffusion, s.weight, continuity_.neighbours, s.outward, s.stir)),
+        lists_.fluid_fluid);
+    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        s.standing.set(i, s.weight[i]);
+    });
     share_openings(state, walls);
-    add_pair_sums(settings_, NumberContinuityAtWalls{weight_},
-                  side(state.position, state.velocity, water_.concentration),
-                  side(walls.position, walls.velocity, walls_.share, walls_.mirrors, walls_.openings.share,
-                       walls_.stands_still, walls_.openings.slip),
-                  sinks(s.rate, s.crowding, s.neighbours, s.normal, s.damped, s.slip), lists_.fluid_walls);
+    add_pair_sums(
+        settings_, NumberContinuityAtWalls{weight_}, side(state.position, state.velocity, water_.concentration),
+        side(walls.position, walls.velocity, walls_.share, walls_.mirrors, walls_.openings.share, walls_.stands_still,
+             walls_.openings.slip),
+        joined(sinks(continuity_.rate, s.weight, continuity_.neighbours, s.outward, s.standing), fresh(sinks(s.slip))),
+        lists_.fluid_walls);
+    return s;
 }
 
 double Wcmps::finish_shift(ParticleState& state, const Vec3& gravity) const {
@@ -159,7 +170,7 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
     lists_.place(reach_of(settings_), state.position, walls.position);
     find_pressure(state);
     find_wall_shares(walls);
-    sum_continuity(state, walls, pull);
+    const WcmpsDensitySums s = sum_continuity(state, walls, pull);
     report.shifted = finish_shift(state, pull);
     const double slope = surface_slope(settings_) / lattice_.number_density;
     const double rate = dt * volume_return / settings_.spacing;
@@ -169,33 +180,39 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
     const double spread_factor = lattice_.second_order() * diffusivity /
                                  (settings_.rest_density * settings_.sound_speed * settings_.sound_speed);
     const double resistance = resistance_to_sound(), per_density = settings_.particle_mass / settings_.rest_density;
+    WcmpsContinuity& made = continuity_;
+    for (std::vector<double>* values : {&made.crowding, &made.stir, &made.damped, &made.slip}) {
+        values->resize(state.density.size());
+    }
+    made.normal.resize(state.density.size());
     const auto advance_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
-        continuity_.crowding[i] /= lattice_.number_density;
-        continuity_.stir[i] = std::sqrt(continuity_.stir[i] / lattice_.number_density);
-        const double returned = rate * continuity_.stir[i];
-        const double length = norm(continuity_.normal[i]);
-        continuity_.normal[i] *= length > 0 ? 1 / length : 0;
+        made.crowding[i] = s.weight[i] / lattice_.number_density;
+        made.stir[i] = std::sqrt(s.stir[i] / lattice_.number_density);
+        const double returned = rate * made.stir[i];
+        const Vec3 outward = s.outward.vector(i);
+        const double length = norm(outward);
+        made.normal[i] = (length > 0 ? 1 / length : 0) * outward;
         const double before = water_.concentration[i];
-        const double spread = dt * spread_factor * continuity_.diffusion[i];
-        const double flown = before - dt * lattice_.first_order() * continuity_.rate[i] + spread;
-        const double standing = continuity_.damped[i] / lattice_.number_density;
-        const double squeezed = -lattice_.first_order() * continuity_.rate[i] / before;
-        continuity_.slip[i] *= -lattice_.first_order() / before;
-        continuity_.damped[i] = damped_share(standing) * squeezed;
+        const double spread = dt * spread_factor * s.diffusion[i];
+        const double flown = before - dt * lattice_.first_order() * made.rate[i] + spread;
+        const double standing = s.standing[i] / lattice_.number_density;
+        const double squeezed = -lattice_.first_order() * made.rate[i] / before;
+        made.slip[i] = s.slip[i] * (-lattice_.first_order() / before);
+        made.damped[i] = damped_share(standing) * squeezed;
         // the other half of the last kick
-        const double heat = per_density * resistance * state.dilution[i] * (squeezed - continuity_.slip[i]);
+        const double heat = per_density * resistance * state.dilution[i] * (squeezed - made.slip[i]);
         state.dilution[i] = 0;
-        const double crowding = continuity_.crowding[i];
+        const double crowding = made.crowding[i];
         const double closer = flown + returned * (crowding + slope * length - before);
         const double bound = crowding > wcmps::surface_limit ? closer : std::max(closer, std::min(1.0, flown));
-        const double after = after_tearing(lattice_, crowding, continuity_.neighbours[i], bound);
+        const double after = after_tearing(lattice_, crowding, made.neighbours[i], bound);
         state.density[i] = settings_.rest_density * after;
         // what leaves compression, m/rho_0 p/x dx, halfway between the values that forces see
         const double mean = 0.5 * (before + after);
         const double per_concentration = per_density * pressure_of(settings_, mean) / mean;
         return Losses{-per_concentration * (spread + after - flown), heat,
-                      -per_concentration * dt * before * continuity_.slip[i]};
+                      -per_concentration * dt * before * made.slip[i]};
     };
     const Losses losses = parallel::reduce(state.owned(), Losses{}, advance_one, [](const Losses& a, const Losses& b) {
         return Losses{a.diffusion + b.diffusion, a.heat + b.heat, a.exchange + b.exchange};

@@ -76,13 +76,13 @@ void Wcmps::begin_forces(ParticleState& state, const BoundaryParticles& walls, c
     find_pressure(state);
     damp_sound();
     find_wall_shares(walls);
-    WcmpsForces& s = forces_;
-    make_zeros(state.position.size(), s.force, s.crowding_gradient, s.wall_hold, s.heat, s.wall_heat, s.in_front,
-               s.wall_hold_power);
+    stage_.resize(state.position.size(), true, WcmpsForceSums::places);
+    forces_ = lend_wcmps_force_sums(stage_);
     average_at_walls(state, walls);
     add_pair_sums_within(settings_, wcmps::MpsMomentum{weight_, pair_viscosity(), settings_.spacing},
                          fluid_side(state, water_, continuity_),
-                         sinks(s.force, s.heat, s.crowding_gradient, s.in_front), lists_.fluid_fluid);
+                         fresh(sinks(forces_.force, forces_.heat, forces_.crowding_gradient, forces_.in_front)),
+                         lists_.fluid_fluid);
 }
 
 void Wcmps::load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) {
@@ -112,22 +112,14 @@ void Wcmps::load_walls(const ParticleState& state, BoundaryParticles& walls, con
 }
 
 void Wcmps::add_walls(const ParticleState& state, const BoundaryParticles& walls) {
-    WcmpsForces& s = forces_;
     add_pair_sums(settings_, wcmps::MpsMomentumFromWalls{weight_, pair_viscosity(), settings_.spacing},
                   fluid_side(state, water_, continuity_),
                   side(walls.position, walls_.mirrored_velocity, walls.velocity, walls_.share, walls_.grip,
                        walls_.mirrors, walls_.held, walls_.averaged, walls_.head),
-                  sinks(s.force, s.wall_heat, s.crowding_gradient, s.in_front, s.wall_hold, s.wall_hold_power),
+                  joined(sinks(forces_.force), fresh(sinks(forces_.wall_heat)),
+                         sinks(forces_.crowding_gradient, forces_.in_front),
+                         fresh(sinks(forces_.wall_hold, forces_.wall_hold_power))),
                   lists_.fluid_walls);
-    const double factor = force_factor(), gradient = lattice_.first_order();
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
-        const auto i = static_cast<std::size_t>(entry);
-        s.force[i] *= factor;
-        s.heat[i] = factor * (0.5 * s.heat[i] + s.wall_heat[i]);
-        s.crowding_gradient[i] *= gradient;
-        s.wall_hold[i] *= factor;
-        s.wall_hold_power[i] *= factor;
-    });
 }
 
 }  // namespace riprap::fluid

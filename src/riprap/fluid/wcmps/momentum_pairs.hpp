@@ -54,9 +54,10 @@ struct MpsMomentum {
     template <int Dim, class Real>
     RIPRAP_HD void exchange(const Real* a, const Real* b, const Real* d, Real r2, Real, Real* sum, Real* back) const {
         const Real w = weight.value(r2), over_square = weight.over_square(r2, w);
-        const Real carried = a[concentration] * b[pressure_over_concentration],
-                   brought = b[concentration] * a[pressure_over_concentration];
-        const Real push = (carried + brought) * over_square, crowd = (a[crowding] + b[crowding]) * over_square;
+        const Real push =
+            (a[concentration] * b[pressure_over_concentration] + b[concentration] * a[pressure_over_concentration]) *
+            over_square;
+        const Real crowd = (a[crowding] + b[crowding]) * over_square;
         const Real drag = Real(viscosity) * w;
         Real squares(0), turned[3];
         for (int axis = 0; axis < Dim; ++axis) {

@@ -114,12 +114,12 @@ void Wcmps::shift(ParticleState& state, const Vec3& gravity, double dt, FluidRep
     }
     const double bound = 0.5 / lattice_.wave_stiffness;
     state.shift.resize(state.position.size());
-    const double longest = 0.1 * settings_.spacing;
+    const double longest = 0.1 * settings_.spacing, gradient = lattice_.first_order();
     const auto shift_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const double strength = std::min(settings_.shifting * 2 * settings_.spacing * dt * continuity_.stir[i], bound);
         Vec3 move = along_surface(surface_.classes[i], continuity_.normal[i], surface_.inner_normal[i],
-                                  -strength * forces_.crowding_gradient[i]);
+                                  -strength * (gradient * forces_.crowding_gradient.vector(i)));
         const double length = norm(move);
         move *= length > longest ? longest / length : 1;
         state.shift[i] = 0.5 * move;

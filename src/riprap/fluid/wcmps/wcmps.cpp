@@ -68,12 +68,12 @@ FluidTimeStep Wcmps::limit(const ParticleState& state) const {
 void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt, bool collides,
                            const SparseVectors& extra_force, FluidReport& report) const {
     const double m = settings_.particle_mass, resistance = m / settings_.rest_density * resistance_to_sound();
-    const double divergence = -lattice_.first_order();
+    const double divergence = -lattice_.first_order(), factor = force_factor();
     const Vec3 downward = without_periodic(gravity, settings_.domain), along = gravity - downward;
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 extra = extra_force[i];
-        const Vec3 acceleration = (forces_.force[i] + extra) / m + gravity;
+        const Vec3 acceleration = (factor * forces_.force.vector(i) + extra) / m + gravity;
         const Vec3 collision = collides ? collisions_.change[i] : Vec3{};
         const Vec3 before = state.velocity[i], after = before + collision + dt * acceleration;
         state.velocity[i] = after;
@@ -85,9 +85,11 @@ void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt,
         // of damped sound along the mean velocity of the kick: half now, half at the next update of density
         const double squeezed = divergence * continuity_.rate[i] / water_.concentration[i] - continuity_.slip[i];
         state.dilution[i] = 0.5 * dt * continuity_.damped[i];
-        sums.heat = forces_.heat[i] + 0.5 * resistance * continuity_.damped[i] * squeezed;
-        sums.exchange = dot(forces_.wall_hold[i], after) - forces_.wall_hold_power[i];
-        sums.earlier_exchange = 0.5 * dot(forces_.wall_hold[i], before - after);
+        const double heat = factor * (0.5 * forces_.heat[i] + forces_.wall_heat[i]);
+        const Vec3 hold = factor * forces_.wall_hold.vector(i);
+        sums.heat = heat + 0.5 * resistance * continuity_.damped[i] * squeezed;
+        sums.exchange = dot(hold, after) - factor * forces_.wall_hold_power[i];
+        sums.earlier_exchange = 0.5 * dot(hold, before - after);
         sums.external = 0.5 * dot(extra + m * along, before + after);
         sums.speed_squared = norm_squared(after);
         sums.acceleration_squared = norm_squared(acceleration);
@@ -142,7 +144,7 @@ void Wcmps::describe_walls(const Vec3& gravity, WaterAtWalls& water) const {
 }
 
 std::size_t Wcmps::bytes() const {
-    return water_.bytes() + continuity_.bytes() + forces_.bytes() + surface_.bytes() + collisions_.bytes() +
+    return water_.bytes() + continuity_.bytes() + stage_.bytes() + surface_.bytes() + collisions_.bytes() +
            walls_.bytes() + at_walls_.bytes() + lists_.bytes();
 }
 

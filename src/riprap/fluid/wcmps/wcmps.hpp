@@ -62,8 +62,8 @@ class Wcmps : public ParticleScheme {
     void find_wall_shares(const BoundaryParticles& walls);
     /// Finds g of walls: zero where they mirror each particle or have a pressure of their own.
     void share_openings(const ParticleState& state, const BoundaryParticles& walls);
-    /// The sums of NumberContinuity and NumberContinuityAtWalls.
-    void sum_continuity(const ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity);
+    /// The sums of NumberContinuity and NumberContinuityAtWalls. @returns those that are lent
+    WcmpsDensitySums sum_continuity(const ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity);
     /// The second half of the last shift, which so is made half before and half after the density that both forces
     /// beside it meet: a shift made at once would take energy from one side only. Returns the energy of place that it
     /// takes [J].
@@ -78,7 +78,7 @@ class Wcmps : public ParticleScheme {
     /// Pressure of the fluid at walls, never below zero, for gauges, and velocity of the fluid mirrored in them
     /// [Adami2012, eqs. 22, 23, 27]; A, H and h of walls.
     void extrapolate_to_walls(BoundaryParticles& walls, const Vec3& gravity);
-    /// Adds the sums of MpsMomentumFromWalls and makes forces [N], heat [W] and grad C [1/m] of all sums.
+    /// Adds the sums of MpsMomentumFromWalls.
     void add_walls(const ParticleState& state, const BoundaryParticles& walls);
 
     // Classes of particles about the free surface, and what they decide (surface.cpp).
@@ -108,7 +108,8 @@ class Wcmps : public ParticleScheme {
     SweepLists lists_;
     WcmpsWater water_;
     WcmpsContinuity continuity_;
-    WcmpsForces forces_;
+    StageMemory<parallel::Host> stage_;
+    WcmpsForceSums forces_;  ///< lent by it
     WcmpsSurface surface_;
     WcmpsCollisions collisions_;
     WcmpsWalls walls_;

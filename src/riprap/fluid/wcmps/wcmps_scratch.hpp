@@ -10,6 +10,7 @@
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/fluid/mps_operators/wall_opening.hpp"
+#include "riprap/fluid/particle/numbers.hpp"
 #include "riprap/fluid/particle/symmetric.hpp"
 
 namespace riprap::fluid {
@@ -30,32 +31,49 @@ struct WcmpsWater {
     std::size_t bytes() const { return bytes_of(concentration, pressure, pressure_over_concentration); }
 };
 
-/// Sums of NumberContinuity and what the update of density makes of them for the stages after it.
+/// Sums of NumberContinuity and NumberContinuityAtWalls that the update of density alone reads: lent for the time of
+/// it.
+struct WcmpsDensitySums {
+    NumbersView<1> diffusion;
+    NumbersView<1> weight;    ///< sum W, walls included [-]
+    NumbersView<1> standing;  ///< sum W of the water and of walls that stand still [-]
+    NumbersView<1> stir;      ///< sum v^2 W [m^2/s^2]
+    NumbersView<3> outward;   ///< sum W d/r, walls included [-]
+    NumbersView<1> slip;      ///< sum b x g' W of walls [1/s]
+};
+inline WcmpsDensitySums lend_wcmps_density_sums(StageMemory<parallel::Host>& memory) {
+    return {memory.lend<1>(0), memory.lend<1>(1), memory.lend<1>(2),
+            memory.lend<1>(3), memory.lend<3>(4), memory.lend<1>(7)};
+}
+
+/// What the update of density leaves to the stages after it.
 struct WcmpsContinuity {
-    std::vector<double> rate, diffusion;
-    std::vector<double> crowding;    ///< sum W, then C = sum W/n_0, walls included [-]
-    std::vector<double> neighbours;  ///< walls included [-]
-    std::vector<double> stir;        ///< sum v^2 W, then u, how fast neighbours pass each other [m/s]
-    std::vector<Vec3> normal;        ///< sum W d/r, then the outward unit normal [-]
+    std::vector<double> rate;        ///< sum of NumberContinuity
+    std::vector<double> neighbours;  ///< likewise, walls included [-]
+    std::vector<double> crowding;    ///< C = sum W/n_0 [-]
+    std::vector<double> stir;        ///< u, how fast neighbours pass each other [m/s]
+    std::vector<Vec3> normal;        ///< outward, of length 1 or 0 [-]
     std::vector<double> damped;      ///< s dx/dt/x of damp_sound [1/s]
-    std::vector<double> slip;        ///< sum b x g' W of walls, then its dx/dt/x [1/s]
+    std::vector<double> slip;        ///< dx/dt/x by g' of walls [1/s]
 
-    std::size_t bytes() const { return bytes_of(rate, diffusion, crowding, neighbours, stir, normal, damped, slip); }
+    std::size_t bytes() const { return bytes_of(rate, neighbours, crowding, stir, normal, damped, slip); }
 };
 
-/// Sums of MpsMomentum and MpsMomentumFromWalls, in the end scaled to forces: read by shifting and kick.
-struct WcmpsForces {
-    std::vector<Vec3> force;              ///< on the particle [N]
-    std::vector<double> heat, wall_heat;  ///< of viscosity; the first counts each pair twice [W]
-    std::vector<Vec3> crowding_gradient;  ///< grad C [1/m]
-    std::vector<double> in_front;         ///< neighbours in the region in front of a particle
-    std::vector<Vec3> wall_hold;          ///< minus the part of the force that is due to p_w, and
-    std::vector<double> wall_hold_power;  ///< its power on the walls
-
-    std::size_t bytes() const {
-        return bytes_of(force, heat, wall_heat, crowding_gradient, in_front, wall_hold, wall_hold_power);
-    }
+/// Sums of MpsMomentum and MpsMomentumFromWalls, lent from begin_forces to the kick: times l_0^D D/n_0 they are forces
+/// [N] and powers [W], the gradient of crowding times D/n_0 is grad C [1/m].
+struct WcmpsForceSums {
+    NumbersView<3> force;
+    NumbersView<1> heat, wall_heat;  ///< of viscosity; the first counts each pair twice
+    NumbersView<3> crowding_gradient;
+    NumbersView<1> in_front;                   ///< neighbours in the region in front of a particle
+    NumbersView<3> wall_hold;                  ///< minus the part of the force that is due to p_w, and
+    NumbersView<1> wall_hold_power;            ///< its power on the walls
+    static constexpr std::size_t places = 13;  ///< more than WcmpsDensitySums take
 };
+inline WcmpsForceSums lend_wcmps_force_sums(StageMemory<parallel::Host>& memory) {
+    return {memory.lend<3>(0), memory.lend<1>(3), memory.lend<1>(4), memory.lend<3>(5),
+            memory.lend<1>(8), memory.lend<3>(9), memory.lend<1>(12)};
+}
 
 /// Surface as the last forces show it: read by collisions and shifting.
 struct WcmpsSurface {

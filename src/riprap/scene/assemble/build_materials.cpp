@@ -59,6 +59,15 @@ void find_unread(const CaseBuild& build, const Value& table, const std::vector<m
     }
 }
 
+/// Names the key that a method reads in the place of the stiffness of materials, which is a pressure; empty where it
+/// has none.
+std::string own_stiffness(const CaseBuild& build, material::Property property) {
+    const bool has_own = sim::elasticity_of(build.model.solid) != nullptr;
+    return has_own && property == material::Property::normal_stiffness
+               ? "; its contacts have solid.contact_stiffness, of a contact point, in N/m"
+               : "";
+}
+
 /// Warns of a key without effect: the solid method does not read it (the warning names those that do), or its
 /// settings leave it out.
 void warn_of_unread(CaseBuild& build, std::string_view key, material::Property property, const Unread& unread) {
@@ -76,11 +85,12 @@ void warn_of_unread(CaseBuild& build, std::string_view key, material::Property p
     }
     const std::string others =
         unread.count > 1 ? fmt::format(" and {} other{}", unread.count - 1, unread.count > 2 ? "s" : "") : "";
-    build.warnings.push_back(
-        to_string(Diagnostic{unread.place,
-                             fmt::format("'{}' of {}{} does nothing here: solid.method {} does not read it{}", key,
-                                         unread.where, others, method, is_read ? " with these settings" : ""),
-                             is_read ? "leave it out" : "leave it out, or solid.method = " + readers}));
+    build.warnings.push_back(to_string(
+        Diagnostic{unread.place,
+                   fmt::format("'{}' of {}{} does nothing here: solid.method {} does not read it{}", key, unread.where,
+                               others, method, is_read ? " with these settings" : ""),
+                   is_read ? "leave it out"
+                           : ("leave it out, or solid.method = " + readers).append(own_stiffness(build, property))}));
 }
 
 /// The mixing rule that the case gives. Where the materials in use differ in `value`, and the solid method reads it,

@@ -57,10 +57,10 @@ void find_in_ground_pair(const BlockSystem& system, const BlockState& state, con
     const std::int32_t ground = is_first ? pair.a : pair.b, block = is_first ? pair.b : pair.a;
     const Surface& surface = system.surface_of(pair.a, pair.b);
     const auto [begin, end] = rows.of(pair);
-    find_on_ground({system.shape_of(ground).ground.get(), state.position[at(ground)],
-                    rows_at(state.deformation, at(ground)), placed.hull(system, state, block), pair, is_first,
-                    surface.is_per_area || surface.cohesion > 0 || surface.tension > 0},
-                   history, begin, end, reach, near, found);
+    find_on_ground(
+        {system.shape_of(ground).ground.get(), state.position[at(ground)], rows_at(state.deformation, at(ground)),
+         placed.hull(system, state, block), pair, is_first, surface.is_per_area || surface.has_bond()},
+        history, begin, end, reach, near, found);
 }
 
 /// Radius of the ball, or of the disc of a planar scene, that a block stands for, 0 = neither; and half of the disc's

@@ -6,7 +6,6 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/geometry/shapes.hpp"
 
 namespace riprap::solid::affine {
 
@@ -21,12 +20,12 @@ Mat3 dipole(const BlockLoads& loads, std::size_t block) {
     return sum;
 }
 
-Mat3 elastic_stress(const Material& material, const Mat3& strain) {
+Mat3 elastic_stress(const Elasticity& material, const Mat3& strain) {
     const double pressure = material.lame() * trace(strain);
     return Mat3::diagonal({pressure, pressure, pressure}) + 2 * material.shear_modulus() * strain;
 }
 
-double elastic_energy(const Material& material, const Mat3& strain) {
+double elastic_energy(const Elasticity& material, const Mat3& strain) {
     double square = 0;
     for (const Vec3& row : strain.row) {
         square += norm_squared(row);
@@ -36,72 +35,6 @@ double elastic_energy(const Material& material, const Mat3& strain) {
 
 Vec3 angular_momentum(const Mat3& inertia, const Mat3& velocity_gradient) {
     return 2.0 * spin_of(velocity_gradient * inertia);
-}
-
-std::int32_t add_material(BlockSystem& system, const Material& material, const Surface& surface) {
-    const std::size_t before = system.materials.size(), now = before + 1;
-    std::vector<Surface> surfaces(now * now, surface);
-    for (std::size_t i = 0; i < before; ++i) {
-        for (std::size_t j = 0; j < before; ++j) {
-            surfaces[i * now + j] = system.surfaces[i * before + j];
-        }
-    }
-    system.surfaces = std::move(surfaces);
-    system.materials.push_back(material);
-    return static_cast<std::int32_t>(before);
-}
-
-std::int32_t add_shape(BlockSystem& system, const geometry::Polyhedron& polyhedron) {
-    const geometry::MassProperties properties = geometry::mass_properties(polyhedron);
-    Shape shape;
-    shape.topology = contact::hull_topology(polyhedron);
-    shape.volume = properties.volume;
-    shape.second_moment = properties.second_moment;
-    shape.size = std::cbrt(properties.volume);
-    for (const Vec3& x : polyhedron.vertices) {
-        shape.vertices.push_back(x - properties.centroid);
-        shape.circumradius = std::max(shape.circumradius, norm(shape.vertices.back()));
-    }
-    system.shapes.push_back(std::move(shape));
-    return static_cast<std::int32_t>(system.shapes.size()) - 1;
-}
-
-std::int32_t add_half_space(BlockSystem& system, const Vec3& normal, double offset) {
-    Shape shape;
-    shape.plane_normal = normalized(normal);
-    shape.plane_offset = offset / norm(normal);
-    system.shapes.push_back(std::move(shape));
-    return static_cast<std::int32_t>(system.shapes.size()) - 1;
-}
-
-std::int32_t add_block(BlockSystem& system, BlockState& state, const NewBlock& block) {
-    const Shape& shape = system.shapes[at(block.shape)];
-    const double density = system.materials[at(block.material)].density;
-    system.shape.push_back(block.shape);
-    system.material.push_back(block.material);
-    system.is_fixed.push_back(block.is_fixed || !shape.is_convex() ? 1 : 0);
-    system.mass.push_back(density * shape.volume);
-    system.inertia.push_back(density * shape.second_moment);
-    system.vertex_begin.push_back(system.vertex_begin.back() + static_cast<std::int32_t>(shape.vertices.size()));
-    system.face_begin.push_back(system.face_begin.back() + shape.face_count());
-    state.position.push_back(block.position);
-    state.velocity.push_back(block.velocity);
-    const Mat3 spin = cross_matrix(block.spin), zero{};
-    state.deformation.insert(state.deformation.end(), block.deformation.row, block.deformation.row + 3);
-    state.velocity_gradient.insert(state.velocity_gradient.end(), spin.row, spin.row + 3);
-    state.stress.insert(state.stress.end(), zero.row, zero.row + 3);
-    return system.size() - 1;
-}
-
-std::int32_t add_box(BlockSystem& system, BlockState& state, const Vec3& size, NewBlock block) {
-    block.shape = add_shape(system, geometry::box(size));
-    return add_block(system, state, block);
-}
-
-std::int32_t add_polyhedron(BlockSystem& system, BlockState& state, const geometry::Polyhedron& shape, NewBlock block) {
-    block.shape = add_shape(system, shape);
-    block.position = geometry::mass_properties(shape).centroid;
-    return add_block(system, state, block);
 }
 
 namespace {
@@ -131,7 +64,7 @@ void place_blocks(const BlockSystem& system, const BlockState& state, PlacedBloc
     placed.normals.resize(at(system.face_begin.back()));
     parallel::for_each_uneven(system.size(), 64, [&](std::int64_t i) {
         const auto b = at(i);
-        const Shape& shape = system.shapes[at(system.shape[b])];
+        const Shape& shape = system.shapes[b];
         Vec3* const normals = placed.normals.data() + system.face_begin[b];
         if (shape.is_ground()) {
             return;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "riprap/body/supports.hpp"
 #include "riprap/contact/narrowphase/hull.hpp"
 #include "riprap/core/fields.hpp"
 #include "riprap/core/mat3.hpp"
-#include "riprap/geometry/polyhedron.hpp"
 #include "riprap/solid/affine/block_state.hpp"
+#include "riprap/solid/affine/surface.hpp"
 
 // Simply deformable blocks, as both three-dimensional DDAs move them: every block is an affine image of its shape,
 //
@@ -41,38 +41,13 @@ struct Shape {
     std::int32_t face_count() const { return is_convex() ? topology.face_count() : is_half_space() ? 1 : 0; }
 };
 
-/// Linear elastic rock.
-struct Material {
-    double density{0};         ///< rho [kg/m^3]
-    double youngs_modulus{0};  ///< E [Pa]
-    double poisson_ratio{0};   ///< nu [-]
-
-    /// Lame's constants lambda = E nu/((1 + nu)(1 - 2 nu)) and mu = E/(2 (1 + nu)) [Pa].
-    double lame() const { return youngs_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)); }
-    double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }
-};
-
-/// Springs between two surfaces and what they stand.
-struct Surface {
-    double normal_stiffness{0};  ///< k_n: of a contact point [N/m], or per area of contact [Pa/m]
-    double shear_stiffness{0};   ///< k_s, likewise
-    bool is_per_area{false};     ///< stiffness times the area that a contact point stands for (soft contact)
-    double friction{0};          ///< tan phi [-]
-    double cohesion{0};          ///< c of a bond, per area; see bonds.hpp [Pa]
-    double tension{0};           ///< strength of a bond across the contact, likewise [Pa]
-    double damping_ratio{0};     ///< share of critical damping, explicit only [-]
-    double least_area{0};        ///< that a point counts for at least where stiffness is per area [m^2]
-
-    /// Returns by what a contact point multiplies the stiffnesses.
-    double factor(double area) const { return is_per_area ? std::max(area, least_area) : 1; }
-};
-
-/// Blocks, their shapes and materials: Model. Arrays have one entry per block unless said.
+/// Blocks, their shapes and surfaces as make_blocks.hpp makes them of a scene: Model. Arrays have one entry per block
+/// unless said.
 struct BlockSystem {
-    std::vector<Shape> shapes;
-    std::vector<Material> materials;
-    std::vector<Surface> surfaces;  ///< symmetric table of materials x materials
-    std::vector<std::int32_t> shape;
+    std::vector<Shape> shapes;  ///< one of every block
+    Elasticity elasticity;      ///< of all blocks
+    Surfaces surfaces;
+    std::vector<body::FixedPoint> fixed_points;  ///< each with a stiffness
     std::vector<std::int32_t> material;
     std::vector<std::uint8_t> is_fixed;  ///< loads do not move it: it rests, or goes on with the velocity it has
     std::vector<double> mass;            ///< [kg]
@@ -82,10 +57,9 @@ struct BlockSystem {
     bool is_planar{false};  ///< blocks are prisms that stay in the x-y plane; see plane.hpp
 
     std::int32_t size() const { return static_cast<std::int32_t>(mass.size()); }
-    const Shape& shape_of(std::int32_t block) const { return shapes[index(shape[index(block)])]; }
-    const Material& material_of(std::int32_t block) const { return materials[index(material[index(block)])]; }
+    const Shape& shape_of(std::int32_t block) const { return shapes[index(block)]; }
     const Surface& surface_of(std::int32_t a, std::int32_t b) const {
-        return surfaces[index(material[index(a)]) * materials.size() + index(material[index(b)])];
+        return surfaces.of(material[index(a)], material[index(b)]);
     }
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 };
@@ -116,30 +90,12 @@ constexpr Mat3 cross_matrix(const Vec3& w) { return {{{0, -w.z, w.y}, {w.z, 0, -
 constexpr Vec3 spin_of(const Mat3& m) { return 0.5 * Vec3{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)}; }
 constexpr Mat3 symmetric_part(const Mat3& m) { return 0.5 * (m + transpose(m)); }
 /// Stress of an isotropic solid, lambda tr(e) I + 2 mu e [Pa].
-Mat3 elastic_stress(const Material& material, const Mat3& strain);
+Mat3 elastic_stress(const Elasticity& material, const Mat3& strain);
 /// 1/2 stress : strain, its density of energy [J/m^3].
-double elastic_energy(const Material& material, const Mat3& strain);
+double elastic_energy(const Elasticity& material, const Mat3& strain);
 
 /// Angular momentum about the centroid, sum of m r x L r, of a block with second moments S = F E0 F^T [kg m^2/s].
 Vec3 angular_momentum(const Mat3& inertia, const Mat3& velocity_gradient);
-
-std::int32_t add_material(BlockSystem& system, const Material& material, const Surface& surface);
-std::int32_t add_shape(BlockSystem& system, const geometry::Polyhedron& shape);
-std::int32_t add_half_space(BlockSystem& system, const Vec3& normal, double offset);
-
-/// A block as a scene adds it. `deformation` may hold a rotation and a stretch.
-struct NewBlock {
-    std::int32_t shape{0}, material{0};
-    Vec3 position{};
-    Mat3 deformation{Mat3::identity()};
-    Vec3 velocity{}, spin{};  ///< [m/s], [rad/s]
-    bool is_fixed{false};
-};
-std::int32_t add_block(BlockSystem& system, BlockState& state, const NewBlock& block);
-/// A box whose shape is made for it; position of its centroid.
-std::int32_t add_box(BlockSystem& system, BlockState& state, const Vec3& size, NewBlock block);
-/// A polyhedron given in world axes; its position is that of its centroid.
-std::int32_t add_polyhedron(BlockSystem& system, BlockState& state, const geometry::Polyhedron& shape, NewBlock block);
 
 /// Corners and face normals of all blocks in world axes: Scratch.
 struct PlacedBlocks {

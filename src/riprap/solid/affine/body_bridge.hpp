@@ -2,38 +2,46 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "riprap/core/step.hpp"
-#include "riprap/solid/affine/blocks.hpp"
-#include "riprap/solid/affine/elasticity.hpp"
+#include "riprap/solid/affine/block_contacts.hpp"
+#include "riprap/solid/affine/released.hpp"
 #include "riprap/solid/solid_scene.hpp"
 
 // Between the bodies of a scene and the blocks of a DDA: one body, one block, in the same order.
 
 namespace riprap::solid::affine {
 
-/// Radius of the smallest body that may move and is no half-space; 0 = none [m].
-double smallest_radius(const SolidScene& scene);
-
-/// Area that a contact point stands for at least where stiffness goes by area: a hundredth of the square of the
-/// smallest radius. Corners and edges touch without an area, and would sink in otherwise [m^2].
-double least_contact_area(const SolidScene& scene);
-
-/// Stiffness of a contact of two corners [N/m].
-double corner_stiffness(const SolidScene& scene, const Elasticity& elasticity);
-
-/// Returns the bodies that no block can be made of: those of several parts that are no ground.
-std::vector<SceneProblem> scene_problems(const SolidScene& scene);
-
-/// Blocks for the bodies of a scene: shapes in the axes and masses of the bodies, pair properties.
-/// @returns what a block cannot be made of: a body of several parts; empty = done
-std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, BlockSystem& system);
-
 /// Says that bodies deform, none of them stretched so far; leaves bodies alone that already do. Loads have a pull then.
 void start_stretching(body::BodyState& bodies);
 
 /// Poses, velocities and stretches of the bodies as x = x_c + F X, F = R U.
 void read_bodies(const body::BodyState& bodies, const body::BodySet& set, BlockState& blocks);
+
+/// Scratch of a method of blocks in space: the blocks of its scene, and the loads of a piece.
+struct SceneBlocks {
+    BlockSystem system;
+    std::string problem;  ///< what blocks cannot be made of
+    std::vector<Mat3> pull;
+    body::Loads loads;  ///< of contacts, in the last piece
+    body::PointLoadSum point_loads;
+};
+
+/// Makes the blocks of a scene where the Scratch is fresh, and their State with its bonds where that is.
+void begin(const SolidScene& scene, const Elasticity& elasticity, body::BodyState& bodies, BlockState& blocks,
+           BlockContactHistory& contacts, SceneBlocks& scratch);
+
+/// What a piece of a step begins with.
+struct Piece {
+    body::LoadView given;  ///< with the point loads of the scene
+    BlockLoads loads;      ///< the same, for blocks
+    std::vector<ReleasedBlock> released;
+};
+
+/// Sums the loads of a piece, sets gravity and what is driven, and finds the blocks that are released.
+Piece begin_piece(const SolidScene& scene, const TimeSpan& span, const body::LoadView& given, double previous_dt,
+                  body::BodyState& bodies, BlockState& blocks, SceneBlocks& scratch);
 
 /// Says which blocks loads move now, and gives the others the velocity that takes them to their place at span.end().
 /// @param bodies  rates of the corrections of absorbing paddles

@@ -13,8 +13,6 @@ namespace riprap::solid::affine {
 
 namespace {
 
-bool has_strength(const Surface& surface) { return surface.cohesion > 0 || surface.tension > 0; }
-
 /// Edge of a cube as large as the block; infinite for ground [m].
 double size_of(const BlockSystem& system, std::int32_t block) {
     const Shape& shape = system.shape_of(block);
@@ -39,7 +37,7 @@ double largest_bond_length(const BlockSystem& system) {
 
 std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockState& state) {
     std::vector<std::uint64_t> pairs;
-    if (std::none_of(system.surfaces.begin(), system.surfaces.end(), has_strength)) {
+    if (!system.surfaces.have_bonds()) {
         return pairs;
     }
     BlockSystem loose = system;  // what is held at the start may be released later, its bonds intact
@@ -49,7 +47,7 @@ std::vector<std::uint64_t> bonded_pairs(const BlockSystem& system, const BlockSt
     ContactFinder finder;
     for (const BlockContact& c : finder.find(loose, state, placed, {}, largest_bond_length(system))) {
         const std::uint64_t pair = contact::pair_key({c.a, c.b});
-        if (c.gap <= bond_length(system, c.a, c.b) && has_strength(system.surface_of(c.a, c.b)) &&
+        if (c.gap <= bond_length(system, c.a, c.b) && system.surface_of(c.a, c.b).has_bond() &&
             (pairs.empty() || pairs.back() != pair)) {
             pairs.push_back(pair);
         }
@@ -62,7 +60,7 @@ double tearing_gap(const BlockSystem& system) {
     for (const Shape& shape : system.shapes) {
         radius = std::max(radius, shape.is_convex() ? shape.circumradius : 0);
     }
-    for (const Surface& surface : system.surfaces) {
+    for (const Surface& surface : system.surfaces.pairs) {
         const double area = surface.is_per_area ? 1 : 4 * radius * radius;
         gap = std::max(gap, surface.tension > 0 ? surface.tension * area / surface.normal_stiffness : 0);
     }

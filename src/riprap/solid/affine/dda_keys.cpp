@@ -26,13 +26,15 @@ KeyList<Elasticity> modulus_of_waves() {
 }
 
 KeyList<Elasticity> ratio_and_stiffness() {
-    return {number(&Elasticity::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.49),
-                   "Poisson's ratio of all blocks."),
-            number_or_left(&Elasticity::contact_stiffness, "contact_stiffness", dimension::stiffness,
-                           "Normal stiffness of a contact point; the shear ratio of the materials gives the tangential "
-                           "one. \"auto\": 2000 F/R of the block for which that is most, R half its edge, F the "
-                           "weight of the blocks that may stand on it, or what loads or its speed at the start give "
-                           "it.")};
+    return {
+        number(&Elasticity::poisson_ratio, "poisson_ratio", dimension::plain, between(0, 0.49),
+               "Poisson's ratio of all blocks."),
+        number_or_left(&Elasticity::contact_stiffness, "contact_stiffness", dimension::stiffness,
+                       "Normal stiffness of a contact point, not the pressure `normal_stiffness` of materials, which "
+                       "DDA does not read; the shear ratio of the materials gives the tangential "
+                       "one. \"auto\": 2000 F/R of the block for which that is most, R half its edge, F the "
+                       "weight of the blocks that may stand on it, or what loads or its speed at the start give "
+                       "it.")};
 }
 
 KeyList<Elasticity> stiffness_of_areas() {

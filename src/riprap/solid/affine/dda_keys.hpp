@@ -5,10 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "riprap/core/key.hpp"
+#include "riprap/contact/law/joint_laws.hpp"
+#include "riprap/core/chosen_keys.hpp"
 #include "riprap/material/property.hpp"
-#include "riprap/solid/affine/body_bridge.hpp"
 #include "riprap/solid/affine/default_scales.hpp"
+#include "riprap/solid/affine/elasticity.hpp"
 
 // Keys of a case and properties of materials that all DDA methods read.
 
@@ -39,6 +40,16 @@ BoundKey<S> wanted_step() {
         "Time step; shorter where contacts do not settle. \"auto\": 0.2 sqrt(R/(2000 a)) of the block "
         "for which that is least, R half its edge, a what gravity, loads or its speed at the "
         "start give it.");
+}
+
+/// Returns the keys of the joint law: none where there is no choice.
+template <class Engine>
+KeyList<Engine> joint_keys() {
+    if constexpr (contact::JointLaws::count > 1) {
+        return key::chosen(&Engine::joint_law, "joint_law", "Strength of a contact point in shear");
+    } else {
+        return {};
+    }
 }
 
 /// Returns the keys that fill Elasticity.

@@ -15,7 +15,7 @@ struct Ground {
     explicit Ground(geometry::TriangleField surface) : field(std::move(surface)), features(field.mesh()) {}
 };
 
-/// Adds ground as a shape. A block of it is never moved by loads.
-std::int32_t add_ground(BlockSystem& system, geometry::TriangleField surface);
+/// Makes a shape of ground. A block of it is never moved by loads.
+Shape ground_shape(geometry::TriangleField surface);
 
 }  // namespace riprap::solid::affine

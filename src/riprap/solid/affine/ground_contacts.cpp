@@ -55,14 +55,13 @@ double radius_of(const contact::PlacedHull& block) {
 
 }  // namespace
 
-std::int32_t add_ground(BlockSystem& system, geometry::TriangleField surface) {
+Shape ground_shape(geometry::TriangleField surface) {
     Shape shape;
     for (const Vec3& x : surface.mesh().points) {
         shape.circumradius = std::max(shape.circumradius, norm(x));
     }
     shape.ground = std::make_shared<const Ground>(std::move(surface));
-    system.shapes.push_back(std::move(shape));
-    return static_cast<std::int32_t>(system.shapes.size()) - 1;
+    return shape;
 }
 
 void find_on_ground(const OnGround& scene, const BlockContactHistory& history, std::size_t begin, std::size_t end,

@@ -51,14 +51,13 @@ void update_block(const BlockSystem& system, std::int32_t block, const Mat3& gra
     const Mat3 moved = (turn + strain) * f;
     const Vec3 momentum = angular_momentum(inertia, rate);
     set_rows(state.deformation, b, moved);
-    set_rows(state.stress, b,
-             turn * rows_at(state.stress, b) * back + elastic_stress(system.material_of(block), strain));
+    set_rows(state.stress, b, turn * rows_at(state.stress, b) * back + elastic_stress(system.elasticity, strain));
     set_rows(state.velocity_gradient, b,
              kept(gradient_with_momentum(moved * system.inertia[b] * transpose(moved),
                                          turn * symmetric_part(rate) * back, momentum)));
 }
 
-Mat3 elastic_strain(const Material& material, const Mat3& stress) {
+Mat3 elastic_strain(const Elasticity& material, const Mat3& stress) {
     const double shear = 2 * material.shear_modulus(), lame = material.lame();
     const double mean = lame / (shear * (shear + 3 * lame)) * trace(stress);
     return (1 / shear) * stress - Mat3::diagonal({mean, mean, mean});

@@ -20,6 +20,6 @@ void update_block(const BlockSystem& system, std::int32_t block, const Mat3& gra
 Mat3 gradient_with_momentum(const Mat3& inertia, const Mat3& strain_rate, const Vec3& momentum);
 
 /// Strain of a stress: the inverse of elastic_stress.
-Mat3 elastic_strain(const Material& material, const Mat3& stress);
+Mat3 elastic_strain(const Elasticity& material, const Mat3& stress);
 
 }  // namespace riprap::solid::affine

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "riprap/solid/affine/body_bridge.hpp"
+#include "riprap/solid/affine/make_blocks.hpp"
 
 namespace riprap::solid::affine {
 

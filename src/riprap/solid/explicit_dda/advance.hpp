@@ -2,8 +2,8 @@
 #pragma once
 
 #include "riprap/contact/law/penalty.hpp"
+#include "riprap/core/step.hpp"
 #include "riprap/solid/affine/block_contacts.hpp"
-#include "riprap/solid/affine/outcome.hpp"
 #include "riprap/solid/explicit_dda/block_motion.hpp"
 #include "riprap/solid/explicit_dda/settings.hpp"
 #include "riprap/solid/explicit_dda/state.hpp"
@@ -56,7 +56,7 @@ double stable_step(const affine::BlockSystem& system, const affine::BlockState& 
 
 /// Moves all blocks from t to t + dt: half a drift, contacts and forces there, kick, half a drift. With constant dt the
 /// central difference scheme of [MikolaSitar2013, eqs. 5-7, corrected].
-affine::Outcome advance(const affine::BlockSystem& system, const Settings& settings, double dt,
-                        const affine::BlockLoads& external, State& state, Scratch& scratch, StepReport& report);
+Outcome advance(const affine::BlockSystem& system, const Settings& settings, double dt,
+                const affine::BlockLoads& external, State& state, Scratch& scratch, StepReport& report);
 
 }  // namespace riprap::solid::explicit_dda

@@ -42,7 +42,7 @@ void kick(const affine::BlockSystem& system, Form form, const BlockForce& given,
     const double slow = 1 / (1 + mass_damping * dt);
     state.velocity[b] = slow * (state.velocity[b] + dt * (load.force / system.mass[b] + system.gravity));
     const Mat3 f = rows_at(state.deformation, b), gradient = rows_at(state.velocity_gradient, b);
-    const affine::Material& material = system.material_of(block);
+    const affine::Elasticity& material = system.elasticity;
     const double volume = system.shape_of(block).volume;
     if (form == Form::pseudo_rigid) {
         const Mat3 second = elastic_stress(material, green_strain(f));
@@ -62,7 +62,7 @@ void kick(const affine::BlockSystem& system, Form form, const BlockForce& given,
 double strain_energy(const affine::BlockSystem& system, Form form, const affine::BlockState& state,
                      std::int32_t block) {
     const Mat3 f = rows_at(state.deformation, at(block));
-    const affine::Material& material = system.material_of(block);
+    const affine::Elasticity& material = system.elasticity;
     const double volume = system.shape_of(block).volume;
     if (form == Form::pseudo_rigid) {
         return volume * elastic_energy(material, green_strain(f));

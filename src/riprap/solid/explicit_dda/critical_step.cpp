@@ -11,7 +11,7 @@
 
 namespace riprap::solid::explicit_dda {
 
-double strain_frequency_squared(const affine::Material& material, double volume, const Mat3& inertia) {
+double strain_frequency_squared(const affine::Elasticity& material, double volume, const Mat3& inertia) {
     const Vec3 moments = symmetric_eigen(inertia).values;
     const double stiffest = std::max(3 * material.lame() + 2 * material.shear_modulus(), 2 * material.shear_modulus());
     return volume * stiffest / std::min({moments.x, moments.y, moments.z});
@@ -25,7 +25,7 @@ double step_of(double frequency_squared, double damping) { return contact::stabl
 
 double stable_step(const affine::BlockSystem& system, const affine::BlockState& state, int springs) {
     double stiffest = 0, least = std::numeric_limits<double>::infinity();
-    for (const affine::Surface& surface : system.surfaces) {
+    for (const affine::Surface& surface : system.surfaces.pairs) {
         stiffest = std::max({stiffest, surface.normal_stiffness, surface.shear_stiffness});
     }
     double lightest = 0;
@@ -38,7 +38,7 @@ double stable_step(const affine::BlockSystem& system, const affine::BlockState& 
         const affine::Shape& shape = system.shape_of(block);
         const Mat3 f = affine::rows_at(state.deformation, b);
         const Mat3 inertia = f * system.inertia[b] * transpose(f);
-        strain[b] = strain_frequency_squared(system.material_of(block), shape.volume * determinant(f), inertia);
+        strain[b] = strain_frequency_squared(system.elasticity, shape.volume * determinant(f), inertia);
         const Mat3 back = inverse(inertia);
         for (const Vec3& x : shape.vertices) {
             loose[b] = std::max(loose[b], mobility(system.mass[b], back, f * x));

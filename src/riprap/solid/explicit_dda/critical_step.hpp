@@ -7,7 +7,7 @@ namespace riprap::solid::explicit_dda {
 
 /// Highest squared frequency of the strain modes of a block [1/s^2]: V max(3 lambda + 2 mu, 2 mu) / s_min, s_min the
 /// least eigenvalue of its second moments; for a cube of side L exactly 12 E/((1 - 2 nu) rho L^2).
-double strain_frequency_squared(const affine::Material& material, double volume, const Mat3& inertia);
+double strain_frequency_squared(const affine::Elasticity& material, double volume, const Mat3& inertia);
 
 /// Mobility of a block under a force at r from the centroid, 1/m + r S^-1 r [1/kg]: a bound for any direction; a
 /// corner of a cube has 10/m.

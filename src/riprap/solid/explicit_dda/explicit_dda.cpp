@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "riprap/body/drives.hpp"
 #include "riprap/body/may_move.hpp"
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/bytes.hpp"
@@ -36,7 +35,7 @@ MethodKeys<ExplicitDdaSettings> ExplicitDdaSettings::keys() {
         number(&Engine::mass_damping, "mass_damping", dimension::frequency, non_negative(),
                "Damping force per mass and velocity.")};
     return {.help = "explicit discontinuous deformation analysis, deformable convex blocks",
-            .keys = within(&ExplicitDdaSettings::engine, engine_keys) +
+            .keys = within(&ExplicitDdaSettings::engine, engine_keys + affine::joint_keys<Engine>()) +
                     within(&ExplicitDdaSettings::elasticity, affine::elastic_keys_of_waves()),
             .check = [](const ExplicitDdaSettings& settings) { return affine::problems_of(settings.elasticity); }};
 }
@@ -59,14 +58,7 @@ std::size_t ExplicitDda::Scratch::bytes() const {
 ExplicitDda::ExplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                          Scratch& scratch)
     : scene_(&scene), settings_(&settings), state_(state), fields_(&fields), scratch_(&scratch) {
-    if (scratch.system.size() != scene.bodies.size()) {
-        scratch.problem = make_blocks(scene, settings.elasticity, scratch.system);
-    }
-    affine::start_stretching(state_.bodies);
-    if (fields.blocks.size() != scene.bodies.size()) {
-        read_bodies(state.bodies, scene.bodies, fields.blocks);
-        fields.contacts.bonded = bonded_pairs(scratch.system, fields.blocks);
-    }
+    affine::begin(scene, settings.elasticity, state_.bodies, fields.blocks, fields.contacts, scratch);
 }
 
 StepLimit ExplicitDda::limit() const {
@@ -119,20 +111,11 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
         return {scratch_->problem, 0};
     }
     affine::BlockSystem& system = scratch_->system;
-    const body::LoadView loads = scratch_->point_loads.add(scene_->point_loads, state_.bodies, span.middle(), given);
-    scratch_->pull.clear();
-    for (const Sym3& p : loads.pull) {
-        scratch_->pull.push_back({{{p.xx, p.xy, p.xz}, {p.xy, p.yy, p.yz}, {p.xz, p.yz, p.zz}}});
-    }
-    system.gravity = scene_->gravity.at(span.middle());
-    drive_blocks(*scene_, span, state_.bodies, system, fields_->blocks);
-    body::advance_corrections(state_.bodies, span.dt);
-    const std::vector<affine::ReleasedBlock> released =
-        released_blocks(scene_->bodies, span, state_.previous_dt, fields_->blocks);
+    const affine::Piece piece =
+        begin_piece(*scene_, span, given, state_.previous_dt, state_.bodies, fields_->blocks, *scratch_);
     explicit_dda::StepReport step;
-    const affine::Outcome outcome =
-        explicit_dda::advance(system, settings_->engine, span.dt, {loads.force, loads.torque, scratch_->pull}, *fields_,
-                              scratch_->engine, step);
+    const Outcome outcome =
+        explicit_dda::advance(system, settings_->engine, span.dt, piece.loads, *fields_, scratch_->engine, step);
     if (!outcome.ok()) {
         const auto [block, what] = find_failure(system, settings_->engine, fields_->blocks);
         return {block < 0 ? outcome.problem : fmt::format("'{}' {}", scene_->bodies.name(BodyId{block}), what),
@@ -143,8 +126,8 @@ Outcome ExplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
         scratch_->loads.force[at(b)] = scratch_->engine.loads[at(b)].force;
         scratch_->loads.torque[at(b)] = 2.0 * affine::spin_of(scratch_->engine.loads[at(b)].dipole);
     }
-    book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, 0.5 * span.dt, report.kick);
-    for (const affine::ReleasedBlock& block : released) {
+    book_outside(system, fields_->blocks, piece.given, scratch_->loads, span.dt, 0.5 * span.dt, report.kick);
+    for (const affine::ReleasedBlock& block : piece.released) {
         book_released_at_middle(system, fields_->blocks, span.dt, block, report.kick);
     }
     write_bodies(system, fields_->blocks, state_.bodies);

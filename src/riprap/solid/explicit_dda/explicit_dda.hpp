@@ -22,13 +22,8 @@ class ExplicitDda final : public SolidMethod {
  public:
     using Settings = ExplicitDdaSettings;
     using Fields = explicit_dda::State;
-    struct Scratch {
-        affine::BlockSystem system;
-        std::string problem;  ///< what blocks cannot be made of
+    struct Scratch : affine::SceneBlocks {
         explicit_dda::Scratch engine;
-        std::vector<Mat3> pull;
-        body::Loads loads;  ///< of contacts, in the last piece
-        body::PointLoadSum point_loads;
         std::size_t bytes() const;
     };
 

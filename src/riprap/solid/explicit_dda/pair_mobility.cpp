@@ -40,7 +40,7 @@ double acceleration(const Lightness& block, const Vec3& centre, const Vec3& at_i
 std::vector<double> pair_mobility(const BlockSystem& system, const affine::BlockState& state,
                                   const std::vector<BlockContact>& contacts) {
     std::vector<double> mobility;
-    if (std::ranges::none_of(system.surfaces, [](const affine::Surface& s) { return s.damping_ratio > 0; })) {
+    if (!system.surfaces.are_damped()) {
         return mobility;
     }
     mobility.resize(contacts.size());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "riprap/contact/law/joint_laws.hpp"
 #include "riprap/solid/affine/elasticity.hpp"
 
 namespace riprap {
@@ -24,6 +25,7 @@ struct Settings {
     double mass_damping{0};  ///< c: v <- v/(1 + c dt), for quasi-static answers [1/s]
     double max_stretch{10};  ///< det F outside [1/max, max] ends the run [-]
     double safety{0.6};      ///< share of the stable step that is used [-]
+    contact::JointLaws joint_law{};
 };
 
 struct State;  // state.hpp

@@ -35,7 +35,7 @@ double way_of_step(const BlockSystem& system, const affine::BlockState& state, d
         [&](std::int64_t i) {
             const Mat3 l = rows_at(state.velocity_gradient, at(i));
             const double turn = std::sqrt(norm_squared(l.row[0]) + norm_squared(l.row[1]) + norm_squared(l.row[2]));
-            return norm(state.velocity[at(i)]) + turn * system.shapes[at(system.shape[at(i)])].circumradius;
+            return norm(state.velocity[at(i)]) + turn * system.shapes[at(i)].circumradius;
         },
         [](double x, double y) { return std::max(x, y); });
     return 2 * (speed * dt + 0.5 * norm(system.gravity) * dt * dt);
@@ -93,9 +93,8 @@ void move_blocks(const BlockSystem& system, const Settings& settings, double dt,
 
 }  // namespace
 
-affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>& fixed_points,
-                        const Settings& settings, double dt, const affine::BlockLoads& external, State& state,
-                        Scratch& scratch, StepReport& report) {
+Outcome advance(const BlockSystem& system, const Settings& settings, double dt, const affine::BlockLoads& external,
+                State& state, Scratch& scratch, StepReport& report) {
     report = {};
     Laps laps;
     const double size = smallest_block(system);
@@ -108,12 +107,12 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
     const auto& found = scratch.finder.find(system, state.blocks, scratch.placed, state.contacts, reach);
     scratch.contacts.resize(found.size());
     parallel::for_each_uneven(static_cast<std::int64_t>(found.size()), 64, [&](std::int64_t i) {
-        scratch.contacts[at(i)] = make_term(system, state, scratch, found[at(i)], dt);
+        scratch.contacts[at(i)] = make_term(system, settings, state, scratch, found[at(i)], dt);
     });
     laps.end(scratch.times.find_contacts);
-    fill_blocks(system, fixed_points, settings, dt, external, state.blocks, scratch);
+    fill_blocks(system, settings, dt, external, state.blocks, scratch);
     link_rows(static_cast<std::int64_t>(scratch.block.size()), scratch.contacts, scratch.equations);
-    affine::Outcome outcome = iterate(settings, scratch, report);
+    const Outcome outcome = iterate(settings, scratch, report);
     laps.end(scratch.times.contact_loads);
     if (!outcome.ok()) {
         return outcome;
@@ -124,7 +123,7 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
         return {fmt::format("a corner moves {:.3g} m in one step", report.largest_displacement),
                 std::isfinite(ratio) ? std::min(0.9, 1 / ratio) : settings.cut};
     }
-    book_blocks(system, external, state.blocks, fixed_points, scratch, report);
+    book_blocks(system, external, state.blocks, scratch, report);
     if (settings.dynamic != 1) {
         report.static_loss = (1 - settings.dynamic * settings.dynamic) * measure(system, state.blocks).kinetic;
     }
@@ -134,43 +133,6 @@ affine::Outcome advance(const BlockSystem& system, const std::vector<FixedPoint>
     laps.end(scratch.times.move_bodies);
     report.sums = measure(system, state.blocks);
     laps.end(scratch.times.measure);
-    return {};
-}
-
-affine::Outcome advance_in_pieces(const BlockSystem& system, const std::vector<FixedPoint>& fixed_points,
-                                  const Settings& settings, double dt, const affine::BlockLoads& external, State& state,
-                                  Scratch& scratch, StepReport& report) {
-    double left = dt, piece = dt;
-    StepReport total;
-    while (left > 0) {
-        piece = std::min(piece, left);
-        const affine::Outcome outcome =
-            advance(system, fixed_points, settings, piece, external, state, scratch, report);
-        if (outcome.ok()) {
-            left = left - piece < 1e-9 * dt ? 0 : left - piece;
-            total.friction_loss += report.friction_loss;
-            total.numerical_loss += report.numerical_loss;
-            total.lost_energy += report.lost_energy;
-            total.static_loss += report.static_loss;
-            total.external_work += report.external_work;
-            total.open_close += report.open_close;
-            total.open_frictions += report.open_frictions;
-            total.solver_iterations += report.solver_iterations;
-            piece *= 1.5;
-        } else if (outcome.shorten > 0 && piece * outcome.shorten > dt / 1024) {
-            piece *= outcome.shorten;
-        } else {
-            return {outcome.problem + fmt::format("; the step of {:.3g} s was cut to {:.3g} s", dt, piece), 0};
-        }
-    }
-    report.friction_loss = total.friction_loss;
-    report.numerical_loss = total.numerical_loss;
-    report.lost_energy = total.lost_energy;
-    report.static_loss = total.static_loss;
-    report.external_work = total.external_work;
-    report.open_close = total.open_close;
-    report.open_frictions = total.open_frictions;
-    report.solver_iterations = total.solver_iterations;
     return {};
 }
 

@@ -5,25 +5,17 @@
 #include <cstdint>
 #include <optional>
 
-#include "riprap/solid/affine/outcome.hpp"
+#include "riprap/core/step.hpp"
 #include "riprap/solid/implicit_dda/settings.hpp"
 #include "riprap/solid/implicit_dda/state.hpp"
 #include "riprap/solid/implicit_dda/system.hpp"
 #include "riprap/solid/solid_times.hpp"
 
 // Implicit DDA in three dimensions [Ding2021, chapter 4, corrected]: deformable convex blocks of twelve unknowns,
-// common- plane contact, open-close iteration, Newmark with beta = 1/2 and gamma = 1. Settings, BlockSystem and
-// FixedPoints are Model, State is saved, Scratch may be dropped between steps.
+// common- plane contact, open-close iteration, Newmark with beta = 1/2 and gamma = 1. Settings and BlockSystem are
+// Model, State is saved, Scratch may be dropped between steps.
 
 namespace riprap::solid::implicit_dda {
-
-/// A point of a block held by a spring [Ding2021, section 2.2, in three dimensions].
-struct FixedPoint {
-    std::int32_t block;
-    Vec3 place;        ///< in the shape, about its centroid [m]
-    Vec3 anchor;       ///< where it belongs [m]
-    double stiffness;  ///< [N/m]
-};
 
 struct Scratch {
     affine::PlacedBlocks placed;
@@ -59,13 +51,7 @@ struct StepReport {
 
 /// One step of length dt. Where the open-close iteration does not settle, the solver fails or a corner moves too far,
 /// nothing in `state` has changed and the answer names the pair or block and a shorter step.
-affine::Outcome advance(const affine::BlockSystem& system, const std::vector<FixedPoint>& fixed_points,
-                        const Settings& settings, double dt, const affine::BlockLoads& external, State& state,
-                        Scratch& scratch, StepReport& report);
-
-/// Advances by dt in one piece, or in several shorter ones where a piece is refused; at most 1024 of them.
-affine::Outcome advance_in_pieces(const affine::BlockSystem& system, const std::vector<FixedPoint>& fixed_points,
-                                  const Settings& settings, double dt, const affine::BlockLoads& external, State& state,
-                                  Scratch& scratch, StepReport& report);
+Outcome advance(const affine::BlockSystem& system, const Settings& settings, double dt,
+                const affine::BlockLoads& external, State& state, Scratch& scratch, StepReport& report);
 
 }  // namespace riprap::solid::implicit_dda

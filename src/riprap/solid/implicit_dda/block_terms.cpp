@@ -109,7 +109,7 @@ Matrix12 inertia_matrix(double mass, const Mat3& s) {
     return j;
 }
 
-void add_elastic(const affine::Material& material, double volume, Matrix12& k) {
+void add_elastic(const affine::Elasticity& material, double volume, Matrix12& k) {
     const double lame = volume * material.lame(), shear = volume * material.shear_modulus();
     for (std::size_t i = 6; i < 9; ++i) {
         for (std::size_t j = 6; j < 9; ++j) {

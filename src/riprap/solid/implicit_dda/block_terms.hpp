@@ -40,7 +40,7 @@ Vector12 load_vector(const Vec3& force, const Mat3& dipole);
 /// J = rho integral of T^T T [Ding2021, eqs. 4.44-4.48] from mass and second moments S [kg m^2].
 Matrix12 inertia_matrix(double mass, const Mat3& second_moments);
 /// V E in the strain rows [Ding2021, eqs. 4.17-4.26, corrected: 1/((1 + nu)(1 - 2 nu))].
-void add_elastic(const affine::Material& material, double volume, Matrix12& k);
+void add_elastic(const affine::Elasticity& material, double volume, Matrix12& k);
 /// out -= V s0, the stress at the start of the step [Ding2021, eq. 4.28, corrected sign].
 void add_initial_stress(const Mat3& stress, double volume, Vector12& out);
 

@@ -40,7 +40,7 @@ Vec3 slip_kept(const affine::BlockContact& found, const ContactTerm& contact) {
     // A sliding contact keeps the slip that its friction amounts to, so that it locks without a jump; a bond that
     // breaks keeps friction alone.
     const bool breaks = trial.is_intact && !stays_intact(found, contact);
-    const double friction = breaks ? std::max(0.0, -springs.normal * trial.gap * springs.friction) : trial.friction;
+    const double friction = breaks ? trial.residual : trial.friction;
     return springs.shear > 0 ? (friction / springs.shear) * trial.direction : Vec3{};
 }
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "riprap/body/drives.hpp"
 #include "riprap/contact/count_pairs.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
@@ -49,10 +48,11 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
                 "Rounds of the open-close iteration before the step is cut."),
         number(&Engine::dynamic, "dynamic_factor", dimension::plain, between(0, 1),
                "Share of the velocity that the next step begins with: 1 = dynamic, 0 = static.")};
-    return {.help = "implicit discontinuous deformation analysis, deformable convex blocks",
-            .keys = within(&S::engine, within(&Engine::solve, solve_keys) + engine_keys) +
-                    within(&S::elasticity, affine::elastic_keys_in_space()) + KeyList<S>{affine::wanted_step<S>()},
-            .check = [](const S& settings) { return affine::problems_of(settings.elasticity); }};
+    return {
+        .help = "implicit discontinuous deformation analysis, deformable convex blocks",
+        .keys = within(&S::engine, within(&Engine::solve, solve_keys) + engine_keys + affine::joint_keys<Engine>()) +
+                within(&S::elasticity, affine::elastic_keys_in_space()) + KeyList<S>{affine::wanted_step<S>()},
+        .check = [](const S& settings) { return affine::problems_of(settings.elasticity); }};
 }
 
 std::vector<material::PropertyUse> ImplicitDda::reads(const Settings& /*settings*/) {
@@ -73,30 +73,10 @@ std::size_t ImplicitDda::Scratch::bytes() const {
                     equations.pairs, equations.right, equations.solution, equations.diagonal);
 }
 
-namespace {
-std::vector<implicit_dda::FixedPoint> fixed_points_of(const SolidScene& scene, const affine::Elasticity& elasticity) {
-    const double usual = 100 * corner_stiffness(scene, elasticity);
-    std::vector<implicit_dda::FixedPoint> points;
-    for (const body::FixedPoint& p : scene.fixed_points) {
-        points.push_back({p.body.value, p.point, p.place, p.stiffness > 0 ? p.stiffness : usual});
-    }
-    return points;
-}
-
-}  // namespace
-
 ImplicitDda::ImplicitDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
                          Scratch& scratch)
     : scene_(&scene), settings_(&settings), state_(state), fields_(&fields), scratch_(&scratch) {
-    if (scratch.system.size() != scene.bodies.size()) {
-        scratch.problem = make_blocks(scene, settings.elasticity, scratch.system);
-        scratch.fixed_points = fixed_points_of(scene, settings.elasticity);
-    }
-    affine::start_stretching(state_.bodies);
-    if (fields.blocks.size() != scene.bodies.size()) {
-        read_bodies(state.bodies, scene.bodies, fields.blocks);
-        fields.contacts.bonded = bonded_pairs(scratch.system, fields.blocks);
-    }
+    affine::begin(scene, settings.elasticity, state_.bodies, fields.blocks, fields.contacts, scratch);
 }
 
 namespace {
@@ -125,10 +105,10 @@ void sum_contacts(const implicit_dda::Scratch& engine, body::Loads& loads) {
 }
 
 /// Force and torque of fixed points on their blocks; as they come from outside, their impulses besides.
-void sum_fixed_points(const std::vector<implicit_dda::FixedPoint>& points, const implicit_dda::Scratch& engine,
+void sum_fixed_points(const std::vector<body::FixedPoint>& points, const implicit_dda::Scratch& engine,
                       const affine::BlockState& blocks, double dt, body::Loads& loads, KickReport& kick) {
     for (std::size_t i = 0; i < points.size() && i < engine.point_forces.size(); ++i) {
-        const auto b = at(points[i].block);
+        const auto b = at(points[i].body.value);
         const auto& [arm, force] = engine.point_forces[i];
         loads.force[b] += force;
         loads.torque[b] += cross(arm, force);
@@ -192,20 +172,11 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
         return {scratch_->problem, 0};
     }
     affine::BlockSystem& system = scratch_->system;
-    const body::LoadView loads = scratch_->point_loads.add(scene_->point_loads, state_.bodies, span.middle(), given);
-    scratch_->pull.clear();
-    for (const Sym3& p : loads.pull) {
-        scratch_->pull.push_back({{{p.xx, p.xy, p.xz}, {p.xy, p.yy, p.yz}, {p.xz, p.yz, p.zz}}});
-    }
-    system.gravity = scene_->gravity.at(span.middle());
-    drive_blocks(*scene_, span, state_.bodies, system, fields_->blocks);
-    body::advance_corrections(state_.bodies, span.dt);
-    const std::vector<affine::ReleasedBlock> released =
-        released_blocks(scene_->bodies, span, state_.previous_dt, fields_->blocks);
+    const affine::Piece piece =
+        begin_piece(*scene_, span, given, state_.previous_dt, state_.bodies, fields_->blocks, *scratch_);
     implicit_dda::StepReport step;
-    const affine::Outcome outcome =
-        implicit_dda::advance(system, scratch_->fixed_points, settings_->engine, span.dt,
-                              {loads.force, loads.torque, scratch_->pull}, *fields_, scratch_->engine, step);
+    const Outcome outcome =
+        implicit_dda::advance(system, settings_->engine, span.dt, piece.loads, *fields_, scratch_->engine, step);
     if (const auto [a, b] = step.unsettled; a >= 0) {
         return {fmt::format("contacts of '{}' and '{}' open and close without end", scene_->bodies.name(BodyId{a}),
                             scene_->bodies.name(BodyId{b})),
@@ -218,13 +189,13 @@ Outcome ImplicitDda::advance(const TimeSpan& span, const body::LoadView& given, 
                 outcome.shorten};
     }
     if (!outcome.ok()) {
-        return {outcome.problem, outcome.shorten};
+        return outcome;
     }
     scratch_->loads.clear(at(system.size()));
     sum_contacts(scratch_->engine, scratch_->loads);
-    sum_fixed_points(scratch_->fixed_points, scratch_->engine, fields_->blocks, span.dt, scratch_->loads, report.kick);
-    book_outside(system, fields_->blocks, loads, scratch_->loads, span.dt, 0, report.kick);
-    for (const affine::ReleasedBlock& block : released) {
+    sum_fixed_points(system.fixed_points, scratch_->engine, fields_->blocks, span.dt, scratch_->loads, report.kick);
+    book_outside(system, fields_->blocks, piece.given, scratch_->loads, span.dt, 0, report.kick);
+    for (const affine::ReleasedBlock& block : piece.released) {
         book_released(system, fields_->blocks, block, report.kick);
     }
     write_bodies(system, fields_->blocks, state_.bodies);

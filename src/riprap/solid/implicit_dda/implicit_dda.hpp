@@ -22,14 +22,8 @@ class ImplicitDda final : public SolidMethod {
  public:
     using Settings = ImplicitDdaSettings;
     using Fields = implicit_dda::State;
-    struct Scratch {
-        affine::BlockSystem system;
-        std::string problem;  ///< what blocks cannot be made of
+    struct Scratch : affine::SceneBlocks {
         implicit_dda::Scratch engine;
-        std::vector<Mat3> pull;
-        std::vector<implicit_dda::FixedPoint> fixed_points;
-        body::Loads loads;  ///< of contacts, in the last piece
-        body::PointLoadSum point_loads;
         std::size_t bytes() const;
     };
 

@@ -68,9 +68,9 @@ std::int64_t count_changing(const Scratch& scratch, double tolerance) {
 
 }  // namespace
 
-affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& report) {
+Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& report) {
     Equations& equations = scratch.equations;
-    const OpenCloseRule rule{0, 0, settings.slide_tolerance.value_or(-1)};
+    const OpenCloseRule rule{0, 0, settings.slide_tolerance.value_or(-1), settings.joint_law};
     for (report.open_close = 1; report.open_close <= 2 * settings.open_close; ++report.open_close) {
         assemble(scratch.contacts, equations);
         Laps laps;

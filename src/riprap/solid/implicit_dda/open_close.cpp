@@ -5,14 +5,13 @@
 
 namespace riprap::solid::implicit_dda {
 
-double strength(const ContactSprings& springs, const ContactTrial& trial) {
-    const double cohesion = trial.is_intact ? springs.cohesion : 0;
-    return std::max(0.0, -springs.normal * trial.gap * springs.friction + cohesion);
+double strength(const contact::JointLaws& law, const ContactSprings& springs, const ContactTrial& trial) {
+    return shear_strength(law, {-springs.normal * trial.gap, springs.friction, trial.is_intact ? springs.cohesion : 0});
 }
 
 bool update_mode(const ContactSprings& springs, const OpenCloseRule& rule, ContactTrial& trial) {
     const ContactMode before = trial.mode;
-    const double limit = strength(springs, trial);
+    const double limit = strength(rule.law, springs, trial);
     const double tension = trial.is_intact && springs.normal > 0 ? springs.tension / springs.normal : 0;
     const auto lock_or_slide = [&] {
         return springs.shear * norm(trial.slip) > limit ? ContactMode::slide : ContactMode::lock;
@@ -40,6 +39,7 @@ bool update_mode(const ContactSprings& springs, const OpenCloseRule& rule, Conta
             trial.direction = trial.slip / size;
         }
         trial.friction = limit;
+        trial.residual = shear_strength(rule.law, {-springs.normal * trial.gap, springs.friction, 0});
         trial.across = size > 1e-14 ? std::min(limit / size, springs.shear) : springs.shear;
     }
     return trial.mode != before;

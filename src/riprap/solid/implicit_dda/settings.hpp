@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "riprap/contact/law/joint_laws.hpp"
 #include "riprap/solid/affine/elasticity.hpp"
 
 namespace riprap {
@@ -37,6 +38,7 @@ struct Settings {
         0.1};  ///< of a corner in a step, share of the smallest block; a longer one cuts the step [-]
     std::optional<double> slide_tolerance{};  ///< see OpenCloseRule; empty = by reversal [m]
     double dynamic{1};                        ///< kappa: share of the velocity that a step starts with; 0 = static [-]
+    contact::JointLaws joint_law{};
 };
 
 struct State;  // state.hpp

@@ -8,20 +8,19 @@
 namespace riprap::solid::implicit_dda {
 
 /// Makes the term of a contact point: springs, gap, and the mode and elastic slip that the history remembers.
-ContactTerm make_term(const affine::BlockSystem& system, const State& state, const Scratch& scratch,
-                      const affine::BlockContact& found, double dt);
+ContactTerm make_term(const affine::BlockSystem& system, const Settings& settings, const State& state,
+                      const Scratch& scratch, const affine::BlockContact& found, double dt);
 
 /// Fills inertia, elasticity, loads, stress and fixed points of every row.
-void fill_blocks(const affine::BlockSystem& system, const std::vector<FixedPoint>& fixed_points,
-                 const Settings& settings, double dt, const affine::BlockLoads& external,
-                 const affine::BlockState& state, Scratch& scratch);
+void fill_blocks(const affine::BlockSystem& system, const Settings& settings, double dt,
+                 const affine::BlockLoads& external, const affine::BlockState& state, Scratch& scratch);
 
 /// Assembles and solves until no spring comes or goes and friction has settled.
-affine::Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& report);
+Outcome iterate(const Settings& settings, Scratch& scratch, StepReport& report);
 
 /// Books strain energy, its numerical loss and the work of given loads; before the blocks move.
 void book_blocks(const affine::BlockSystem& system, const affine::BlockLoads& external, const affine::BlockState& state,
-                 const std::vector<FixedPoint>& fixed_points, Scratch& scratch, StepReport& report);
+                 Scratch& scratch, StepReport& report);
 
 /// Keeps contacts that are closed or bonded in the history, with the slip that their shear springs hold, and bonds that
 /// are left; books energies of contacts.

@@ -82,13 +82,13 @@ void remember(Scratch& scratch, affine::BlockContactHistory& history, StepReport
 }
 
 void book_blocks(const BlockSystem& system, const affine::BlockLoads& external, const affine::BlockState& state,
-                 const std::vector<FixedPoint>& fixed_points, Scratch& scratch, StepReport& report) {
+                 Scratch& scratch, StepReport& report) {
     for (std::size_t row = 0; row < scratch.block.size(); ++row) {
         const std::int32_t block = scratch.block[row];
         const auto b = at(block);
         const double* d = &scratch.equations.solution[row * 12];
         const Mat3 strain = affine::symmetric_part(gradient_of(d));
-        const affine::Material& material = system.material_of(block);
+        const affine::Elasticity& material = system.elasticity;
         const double volume = system.shape_of(block).volume * determinant(rows_at(state.deformation, b));
         const Mat3 before = affine::elastic_strain(material, rows_at(state.stress, b));
         report.strain += volume * elastic_energy(material, before + strain);
@@ -99,14 +99,15 @@ void book_blocks(const BlockSystem& system, const affine::BlockLoads& external, 
             report.external_work += load[i] * d[i];
         }
     }
-    scratch.point_forces.assign(fixed_points.size(), std::pair<Vec3, Vec3>{});
-    for (std::size_t i = 0; i < fixed_points.size(); ++i) {
-        const FixedPoint& point = fixed_points[i];
-        const std::int32_t row = scratch.row[at(point.block)];
+    scratch.point_forces.assign(system.fixed_points.size(), std::pair<Vec3, Vec3>{});
+    for (std::size_t i = 0; i < system.fixed_points.size(); ++i) {
+        const body::FixedPoint& point = system.fixed_points[i];
+        const auto block = at(point.body.value);
+        const std::int32_t row = scratch.row[block];
         if (row >= 0) {
-            const Vec3 arm = rows_at(state.deformation, at(point.block)) * point.place;
+            const Vec3 arm = rows_at(state.deformation, block) * point.point;
             const Vec3 moved = displacement(displacement_matrix(arm), &scratch.equations.solution[at(row) * 12]);
-            const Vec3 off = state.position[at(point.block)] + arm - point.anchor;
+            const Vec3 off = state.position[block] + arm - point.place;
             scratch.point_forces[i] = {arm, -point.stiffness * (off + moved)};
             report.contact += 0.5 * point.stiffness * norm_squared(off + moved);
             report.numerical_loss += 0.5 * point.stiffness * norm_squared(moved);

@@ -30,7 +30,7 @@ Vec3 prescribed_motion(const BlockSystem& system, const affine::BlockState& stat
 
 }  // namespace
 
-ContactTerm make_term(const BlockSystem& system, const State& state, const Scratch& scratch,
+ContactTerm make_term(const BlockSystem& system, const Settings& settings, const State& state, const Scratch& scratch,
                       const affine::BlockContact& found, double dt) {
     ContactTerm c{};
     c.row_a = scratch.row[at(found.a)];
@@ -60,14 +60,14 @@ ContactTerm make_term(const BlockSystem& system, const State& state, const Scrat
         trial.slip_before -= dot(trial.slip_before, found.normal) * found.normal;
         const double size = norm(trial.slip_before);
         trial.direction = size > 0 ? trial.slip_before / size : Vec3{};
-        trial.friction = strength(c.springs, trial);
+        trial.friction = strength(settings.joint_law, c.springs, trial);
         trial.across = c.springs.shear;
     }
     return c;
 }
 
-void fill_blocks(const BlockSystem& system, const std::vector<FixedPoint>& fixed_points, const Settings& settings,
-                 double dt, const affine::BlockLoads& external, const affine::BlockState& state, Scratch& scratch) {
+void fill_blocks(const BlockSystem& system, const Settings& settings, double dt, const affine::BlockLoads& external,
+                 const affine::BlockState& state, Scratch& scratch) {
     Equations& equations = scratch.equations;
     equations.is_planar = system.is_planar;
     equations.diagonal.resize(scratch.block.size());
@@ -88,7 +88,7 @@ void fill_blocks(const BlockSystem& system, const std::vector<FixedPoint>& fixed
         for (std::size_t i = 0; i < 144; ++i) {
             k[i] = 2 / (dt * dt) * inertia[i];
         }
-        add_elastic(system.material_of(block), volume, k);
+        add_elastic(system.elasticity, volume, k);
         for (std::size_t i = 0; i < 12; ++i) {
             given[i] += settings.dynamic * 2 / dt * momentum[i];
             equations.solution[at(row) * 12 + i] = settings.dynamic * dt * velocity[i];
@@ -98,13 +98,14 @@ void fill_blocks(const BlockSystem& system, const std::vector<FixedPoint>& fixed
         }
         equations.given[at(row)] = given;
     });
-    for (const FixedPoint& point : fixed_points) {
-        const std::int32_t row = scratch.row[at(point.block)];
+    for (const body::FixedPoint& point : system.fixed_points) {
+        const auto block = at(point.body.value);
+        const std::int32_t row = scratch.row[block];
         if (row >= 0) {
-            const Vec3 arm = rows_at(state.deformation, at(point.block)) * point.place;
+            const Vec3 arm = rows_at(state.deformation, block) * point.point;
             const DisplacementMatrix t = displacement_matrix(arm);
             add_springs(t, t, point.stiffness * Mat3::identity(), 1, equations.diagonal[at(row)].data());
-            add_force(t, point.stiffness * (point.anchor - state.position[at(point.block)] - arm),
+            add_force(t, point.stiffness * (point.place - state.position[block] - arm),
                       equations.given[at(row)].data());
         }
     }

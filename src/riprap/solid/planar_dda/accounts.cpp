@@ -6,6 +6,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
+#include "riprap/solid/planar_dda/plane.hpp"
 
 namespace riprap::solid::planar_dda {
 
@@ -14,22 +15,22 @@ namespace {
 double half_square(double stiffness, double length) { return 0.5 * stiffness * length * length; }
 
 double strain_energy(const Model& model, const State& state) {
+    const Elasticity elasticity = elasticity_of(model.elasticity, model.plane);
     double sum = 0;
     for (std::int32_t b = 0; b < model.block_count(); ++b) {
-        const Elasticity elasticity = elasticity_of(model.materials[at(model.material[at(b)])], model.plane);
         sum += volume_of(model, state, b) *
                energy_density(elasticity, {state.stress_x[at(b)], state.stress_y[at(b)], state.stress_xy[at(b)]});
     }
     return sum;
 }
 
-Vec2 distance_of(const FixedPoint& point, const State& state) {
-    return point.anchor - place_of(state, point.block, point.local);
+Vec2 distance_of(const body::FixedPoint& point, const State& state) {
+    return flat(point.place) - place_of(state, point.body.value, flat(point.point));
 }
 
 double point_energy(const Model& model, const State& state) {
     double sum = 0;
-    for (const FixedPoint& point : model.fixed_points) {
+    for (const body::FixedPoint& point : model.fixed_points) {
         sum += half_square(point.stiffness, norm(distance_of(point, state)));
     }
     return sum;
@@ -37,7 +38,7 @@ double point_energy(const Model& model, const State& state) {
 
 double bolt_energy(const Model& model, const State& state) {
     double sum = 0;
-    for (const Bolt& bolt : model.bolts) {
+    for (const body::Bolt& bolt : model.bolts) {
         sum += half_square(bolt.stiffness, bolt_length(state, bolt).value - bolt.rest_length);
     }
     return sum;
@@ -45,23 +46,24 @@ double bolt_energy(const Model& model, const State& state) {
 
 /// Strain, fixed points and bolts over the step; returns what they store at its end.
 double book_springs(const Model& model, const State& state, const Scratch& scratch, Accounts& accounts) {
+    const Elasticity elasticity = elasticity_of(model.elasticity, model.plane);
     double stored = 0;
     for (const std::int32_t b : scratch.block_of_row) {
-        const Elasticity elasticity = elasticity_of(model.materials[at(model.material[at(b)])], model.plane);
         const double volume = volume_of(model, state, b);
         const Stress added = stress_of(elasticity, scratch.motion[at(b)]);
         accounts.newmark_loss += volume * energy_density(elasticity, added);
         stored += volume * energy_density(elasticity, {state.stress_x[at(b)] + added.x, state.stress_y[at(b)] + added.y,
                                                        state.stress_xy[at(b)] + added.xy});
     }
-    for (const FixedPoint& point : model.fixed_points) {
-        const Vec2 moved = displacement_at(offset_of(state, point.block, point.local), scratch.motion[at(point.block)]);
+    for (const body::FixedPoint& point : model.fixed_points) {
+        const std::int32_t block = point.body.value;
+        const Vec2 moved = displacement_at(offset_of(state, block, flat(point.point)), scratch.motion[at(block)]);
         accounts.newmark_loss += half_square(point.stiffness, norm(moved));
         stored += half_square(point.stiffness, norm(distance_of(point, state) - moved));
     }
-    for (const Bolt& bolt : model.bolts) {
+    for (const body::Bolt& bolt : model.bolts) {
         const Linear length = bolt_length(state, bolt);
-        const double after = length.after(scratch.motion[at(bolt.first)], scratch.motion[at(bolt.second)]);
+        const double after = length.after(scratch.motion[at(bolt.first.value)], scratch.motion[at(bolt.second.value)]);
         accounts.newmark_loss += half_square(bolt.stiffness, after - length.value);
         stored += half_square(bolt.stiffness, after - bolt.rest_length);
     }
@@ -131,7 +133,7 @@ double contact_energy(const Model& model, const State& state, const std::vector<
             continue;
         }
         const std::int32_t a = model.corner_block[at(corner)], b = model.corner_block[at(edge)];
-        const Joint& joint = model.joint(a, b);
+        const affine::Surface& joint = model.joint(a, b);
         const CornerAndEdge where{corners[at(corner)],
                                   corners[at(edge)],
                                   corners[at(model.corner_next[at(edge)])],
@@ -168,12 +170,6 @@ double book_step(const Model& model, const Step& step, const State& state, const
             accounts.work_loads += dot(step.loads[at(b)], d);
         }
     }
-    for (const PointLoad& load : model.point_loads) {
-        if (scratch.row[at(load.block)] >= 0) {
-            accounts.work_loads += dot(
-                load.force, displacement_at(offset_of(state, load.block, load.local), scratch.motion[at(load.block)]));
-        }
-    }
     double stored = book_springs(model, state, scratch, accounts);
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         stored += book_contact(scratch.contacts[k], scratch.trials[k], scratch, step.dt, accounts);
@@ -186,11 +182,6 @@ Energies energies_of(const Model& model, const State& state) {
     place_corners(model, state, corners);
     return {kinetic_energy(model, state), strain_energy(model, state), contact_energy(model, state, corners),
             point_energy(model, state), bolt_energy(model, state)};
-}
-
-double balance_of(const Accounts& a) {
-    return a.work_gravity + a.work_loads + a.work_driven + a.constraint_work + a.linearization - a.friction_loss -
-           a.dashpot_loss - a.bond_loss - a.newmark_loss - a.static_loss;
 }
 
 }  // namespace riprap::solid::planar_dda

@@ -3,6 +3,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/solid/planar_dda/plane.hpp"
 
 namespace riprap::solid::planar_dda {
 
@@ -59,8 +60,8 @@ void number_rows(const Model& model, Scratch& scratch) {
     for (const Contact& contact : scratch.contacts) {
         couple(contact.a, contact.b);
     }
-    for (const Bolt& bolt : model.bolts) {
-        couple(bolt.first, bolt.second);
+    for (const body::Bolt& bolt : model.bolts) {
+        couple(bolt.first.value, bolt.second.value);
     }
 }
 
@@ -68,10 +69,10 @@ void assemble_blocks(const Model& model, const State& state, const Step& step, S
     const auto count = static_cast<std::int64_t>(scratch.block_of_row.size());
     scratch.stiffness.resize(at(count));
     scratch.force.resize(at(count));
+    const Elasticity elasticity = elasticity_of(model.elasticity, model.plane);
     parallel::for_each(count, [&](std::int64_t row) {
         const std::int32_t b = scratch.block_of_row[at(row)];
         const double volume = volume_of(model, state, b);
-        const Elasticity elasticity = elasticity_of(model.materials[at(model.material[at(b)])], model.plane);
         Block6 K = elastic_block(elasticity, volume);
         const Block6 M = mass_block(model.mass[at(b)], spread_of(model, state, b));
         Unknowns F = stress_force({state.stress_x[at(b)], state.stress_y[at(b)], state.stress_xy[at(b)]}, volume);
@@ -87,27 +88,24 @@ void assemble_blocks(const Model& model, const State& state, const Step& step, S
         scratch.stiffness[at(row)] = K;
         scratch.force[at(row)] = F;
     });
-    for (const FixedPoint& point : model.fixed_points) {
-        if (const std::int32_t row = scratch.row[at(point.block)]; row >= 0) {
-            const Vec2 r = offset_of(state, point.block, point.local);
+    for (const body::FixedPoint& point : model.fixed_points) {
+        const std::int32_t block = point.body.value;
+        if (const std::int32_t row = scratch.row[at(block)]; row >= 0) {
+            const Vec2 r = offset_of(state, block, flat(point.point));
             const Block6 K = fixed_point_block(r, point.stiffness);
             for (std::size_t k = 0; k < 36; ++k) {
                 scratch.stiffness[at(row)][k] += K[k];
             }
             add(scratch.force[at(row)], point.stiffness,
-                force_at(r, point.anchor - (center_of(state, point.block) + r)));
-        }
-    }
-    for (const PointLoad& load : model.point_loads) {
-        if (const std::int32_t row = scratch.row[at(load.block)]; row >= 0) {
-            add(scratch.force[at(row)], 1, force_at(offset_of(state, load.block, load.local), load.force));
+                force_at(r, flat(point.place) - (center_of(state, block) + r)));
         }
     }
 }
 
-Linear bolt_length(const State& state, const Bolt& bolt) {
-    return length_of(place_of(state, bolt.first, bolt.first_local), center_of(state, bolt.first),
-                     place_of(state, bolt.second, bolt.second_local), center_of(state, bolt.second));
+Linear bolt_length(const State& state, const body::Bolt& bolt) {
+    const std::int32_t first = bolt.first.value, second = bolt.second.value;
+    return length_of(place_of(state, first, flat(bolt.first_point)), center_of(state, first),
+                     place_of(state, second, flat(bolt.second_point)), center_of(state, second));
 }
 
 void assemble_matrix(const Model& model, const State& state, double dt, Scratch& scratch) {
@@ -115,8 +113,8 @@ void assemble_matrix(const Model& model, const State& state, double dt, Scratch&
     for (std::size_t row = 0; row < scratch.stiffness.size(); ++row) {
         scratch.equations.add_diagonal(static_cast<std::int32_t>(row), scratch.stiffness[row]);
     }
-    for (const Bolt& bolt : model.bolts) {
-        add_spring(scratch, bolt.first, bolt.second, bolt.stiffness, bolt_length(state, bolt));
+    for (const body::Bolt& bolt : model.bolts) {
+        add_spring(scratch, bolt.first.value, bolt.second.value, bolt.stiffness, bolt_length(state, bolt));
     }
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         const Contact& contact = scratch.contacts[k];
@@ -133,10 +131,10 @@ void assemble_matrix(const Model& model, const State& state, double dt, Scratch&
 
 void assemble_right_side(const Model& model, const State& state, double dt, Scratch& scratch) {
     scratch.right = scratch.force;
-    for (const Bolt& bolt : model.bolts) {
+    for (const body::Bolt& bolt : model.bolts) {
         const Linear length = bolt_length(state, bolt);
-        add_force(scratch, bolt.first, bolt.second, -bolt.stiffness * (length.value - bolt.rest_length), bolt.stiffness,
-                  length);
+        add_force(scratch, bolt.first.value, bolt.second.value, -bolt.stiffness * (length.value - bolt.rest_length),
+                  bolt.stiffness, length);
     }
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         const Contact& contact = scratch.contacts[k];

@@ -18,6 +18,6 @@ void assemble_matrix(const Model& model, const State& state, double dt, Scratch&
 void assemble_right_side(const Model& model, const State& state, double dt, Scratch& scratch);
 
 /// Stretch of a bolt at the start of the step and what changes it.
-Linear bolt_length(const State& state, const Bolt& bolt);
+Linear bolt_length(const State& state, const body::Bolt& bolt);
 
 }  // namespace riprap::solid::planar_dda

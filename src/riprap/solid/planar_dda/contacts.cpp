@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "riprap/core/index.hpp"
-#include "riprap/solid/planar_dda/contact_scene.hpp"
-#include "riprap/solid/planar_dda/seams.hpp"
+#include "riprap/solid/planar_dda/entrances.hpp"
 
 namespace riprap::solid::planar_dda {
 
@@ -29,101 +27,6 @@ void find_at_edge(const Scene& scene, std::int32_t corner, std::int32_t edge, Co
     if (dot(outward, to_next) >= lean * norm(to_next) && dot(outward, to_before) >= lean * norm(to_before)) {
         search.wanted.push_back(key_of(corner, edge));
     }
-}
-
-/// Ways in at two convex corners: none where their cones leave none from outside, one, or two that share it.
-struct Entrances {
-    int count{0};
-    Key key[2]{};
-    bool is_at_seam{false};  ///< the other one is hidden by a third block
-};
-
-/// Two lines that are nearly one: who stands on whom. Both, where both do.
-Entrances standing_entrances(const Scene& scene, const Key& first, const Key& second) {
-    const GapAndFoot g1 = gap_and_foot(scene, first.first, first.second);
-    const GapAndFoot g2 = gap_and_foot(scene, second.first, second.second);
-    if (is_foot_on_edge(g1) && is_foot_on_edge(g2)) {
-        return {2, {first, second}};
-    }
-    return {1, {beyond_ends(g1) < beyond_ends(g2) ? first : second}};
-}
-
-/// Gaps that differ by less than this share of the narrower block's width are one [-].
-constexpr double equal_share = 1e-6;
-
-/// The two ways in at two corners where the one is as good as the other. So it is where aligned tips meet: either way
-/// alone would throw to its side what is symmetric. Both of one corner where that can be, else they make a couple.
-Entrances equal_entrances(const Scene& scene, std::int32_t v, std::int32_t w, const Key& first, const Key& second) {
-    const Model& model = scene.model;
-    const double tolerance =
-        equal_share * std::min(model.width[at(model.corner_block[at(v)])], model.width[at(model.corner_block[at(w)])]);
-    const auto gap = [&scene](const Key& key) { return gap_and_foot(scene, key.first, key.second).gap; };
-    const double largest = std::max(gap(first), gap(second));
-    const auto are_equal = [&](const Key& one, const Key& other) {
-        return std::abs(gap(one) - largest) < tolerance && std::abs(gap(other) - largest) < tolerance;
-    };
-    if (!are_equal(first, second)) {
-        return {};
-    }
-    for (const auto& [one, other] :
-         {std::pair{Key{v, w}, Key{v, scene.before(w)}}, {Key{w, v}, Key{w, scene.before(v)}}}) {
-        if (are_equal(one, other)) {
-            return {2, {one, other}};
-        }
-    }
-    return {2, {first, second}};
-}
-
-/// Two lines at an angle: what a third block hides is none; a closed contact stays the entrance until it opens or is
-/// left; else the larger gap decides, and both are entrances where they are equal.
-Entrances cornered_entrance(const Scene& scene, const Seams& seams, std::int32_t v, std::int32_t w, const Key& first,
-                            const Key& second) {
-    const Seams::Answer seam = seams.open_entrance(v, w, first, second);
-    if (seam.kind == Seams::Answer::Kind::clear) {
-        return {1, {seam.is_first ? first : second}, true};
-    }
-    const GapAndFoot g1 = gap_and_foot(scene, first.first, first.second);
-    const GapAndFoot g2 = gap_and_foot(scene, second.first, second.second);
-    const bool stays1 = scene.is_closed(first.first, first.second) && is_foot_on_edge(g1);
-    const bool stays2 = scene.is_closed(second.first, second.second) && is_foot_on_edge(g2);
-    if (const Entrances both = equal_entrances(scene, v, w, first, second); both.count == 2) {
-        const bool stay1 = scene.is_closed(both.key[0].first, both.key[0].second);
-        const bool stay2 = scene.is_closed(both.key[1].first, both.key[1].second);
-        if (stay1 == stay2 && (stay1 || (!stays1 && !stays2))) {
-            return both;
-        }
-    }
-    if (stays1 != stays2) {
-        return {1, {stays1 ? first : second}};
-    }
-    if (seam.kind == Seams::Answer::Kind::weak) {
-        return {1, {seam.is_first ? first : second}, true};
-    }
-    return {1, {g1.gap >= g2.gap ? first : second}};
-}
-
-Entrances find_entrances(const Scene& scene, const Seams& seams, std::int32_t v, std::int32_t w) {
-    const Vec2 p1 = scene.place(scene.next(w)) - scene.place(w), p2 = scene.place(scene.before(w)) - scene.place(w);
-    const Vec2 q1 = scene.place(v) - scene.place(scene.next(v)), q2 = scene.place(v) - scene.place(scene.before(v));
-    const auto angle = [](const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), dot(a, b)); };
-    const double cone_w = angle(p1, p2), cone_v = angle(q1, q2), turn = angle(p1, q1);
-    double begin = 0, end = 0, total = 1e9;
-    for (const double shifted : {turn, turn - 2 * std::numbers::pi, turn + 2 * std::numbers::pi}) {
-        const double from = std::min(0.0, shifted), to = std::max(cone_w, shifted + cone_v);
-        if (to - from < total) {
-            total = to - from;
-            begin = from;
-            end = to;
-        }
-    }
-    if (total > std::numbers::pi + 2 * scene.settings.angle_tolerance) {
-        return {};
-    }
-    const Key first = begin == 0 ? Key{v, w} : Key{w, v};
-    const Key second = end == cone_w ? Key{v, scene.before(w)} : Key{w, scene.before(v)};
-    return total > std::numbers::pi - 2 * scene.settings.angle_tolerance
-               ? standing_entrances(scene, first, second)
-               : cornered_entrance(scene, seams, v, w, first, second);
 }
 
 void find_at_corners(const Scene& scene, const Seams& seams, std::int32_t v, std::int32_t w, ContactSearch& search) {
@@ -224,10 +127,10 @@ Contact make_contact(const Scene& scene, std::int32_t corner, std::int32_t edge,
     contact.gap = gap_of(where);
     remember(scene, contact, where);
     contact.slip = slip_of(where, contact.lock);
-    if (contact.joint.cohesion > 0 || contact.joint.tension > 0) {
+    if (contact.joint.has_bond()) {
         const double smaller = std::min(model.area[at(contact.a)], model.area[at(contact.b)]);
         contact.bond_slip = scene.settings.bond_share * std::sqrt(smaller);
-        contact.bond_length = share * half_overlap(scene, contact) * model.thickness;
+        contact.bond_length = share * half_overlap(scene, contact);
     }
     return contact;
 }
@@ -330,39 +233,6 @@ void find_contacts(const Model& model, const State& state, const Settings& setti
         contacts.push_back(make_contact(scene, static_cast<std::int32_t>(key >> 32),
                                         static_cast<std::int32_t>(key & 0xffffffffU), is_shared ? 0.5 : 1.0));
     }
-}
-
-std::int32_t bond_contacts(const Model& model, const Settings& settings, double tolerance, State& state) {
-    std::vector<Vec2> corners;
-    ContactSearch search;
-    std::vector<Contact> contacts;
-    place_corners(model, state, corners);
-    find_contacts(model, state, settings, corners, search, contacts);
-    state.contact_corner.clear();
-    state.contact_edge.clear();
-    state.contact_mode.clear();
-    state.contact_is_bonded.clear();
-    state.contact_lock.clear();
-    state.contact_share.clear();
-    state.contact_multiplier.clear();
-    state.contact_plastic_slip.clear();
-    state.contact_force.clear();
-    for (const Contact& contact : contacts) {
-        const double most = settings.bond_share > 0 ? std::min(tolerance, contact.bond_slip) : tolerance;
-        if (std::abs(contact.gap.value) > most || contact.foot < -foot_slack || contact.foot > 1 + foot_slack) {
-            continue;
-        }
-        state.contact_corner.push_back(contact.corner);
-        state.contact_edge.push_back(contact.edge);
-        state.contact_mode.push_back(static_cast<std::uint8_t>(Mode::locked));
-        state.contact_is_bonded.push_back(1);
-        state.contact_lock.push_back(contact.foot);
-        state.contact_share.push_back(contact.share);
-        state.contact_multiplier.push_back(0);
-        state.contact_plastic_slip.push_back(0);
-        state.contact_force.push_back(0);
-    }
-    return static_cast<std::int32_t>(state.contact_corner.size());
 }
 
 }  // namespace riprap::solid::planar_dda

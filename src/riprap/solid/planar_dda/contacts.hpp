@@ -13,17 +13,17 @@ struct Contact {
     std::int32_t corner{-1}, edge{-1}, a{-1}, b{-1};
     Mode mode{Mode::open};
     bool is_bonded{false};
-    double lock{0};          ///< see State::contact_lock [-]
-    double multiplier{0};    ///< [N]
-    double plastic_slip{0};  ///< see State::contact_plastic_slip [m]
-    double bond_length{0};   ///< half of the length along which two faces overlap; 0 for a corner alone [m]
-    double bond_slip{0};     ///< slip or gap by which the bond is lost; see affine/bonds.hpp [m]
-    double edge_length{0};   ///< [m]
-    double foot{0};          ///< of the corner along the edge, 0 to 1 [-]
-    double share{1};         ///< of the joint's springs: 1/2 where the edge's corner bears the other half [-]
-    double dashpot{0};       ///< [N s/m]
-    Joint joint{};           ///< springs and dashpot times the share
-    Linear gap{}, slip{};    ///< at the start of the step and what changes them
+    double lock{0};           ///< see State::contact_lock [-]
+    double multiplier{0};     ///< [N]
+    double plastic_slip{0};   ///< see State::contact_plastic_slip [m]
+    double bond_length{0};    ///< half of the length along which two faces overlap; 0 for a corner alone [m]
+    double bond_slip{0};      ///< slip or gap by which the bond is lost; see affine/bonds.hpp [m]
+    double edge_length{0};    ///< [m]
+    double foot{0};           ///< of the corner along the edge, 0 to 1 [-]
+    double share{1};          ///< of the joint's springs: 1/2 where the edge's corner bears the other half [-]
+    double dashpot{0};        ///< [N s/m]
+    affine::Surface joint{};  ///< springs times the share
+    Linear gap{}, slip{};     ///< at the start of the step and what changes them
 };
 
 /// Places the corners of all blocks [m].
@@ -53,10 +53,5 @@ void find_pairs(const Model& model, const std::vector<Vec2>& corners, double rea
 /// of the springs each, so that neither block is preferred. Concave corners touch nothing by themselves.
 void find_contacts(const Model& model, const State& state, const Settings& settings, const std::vector<Vec2>& corners,
                    ContactSearch& search, std::vector<Contact>& contacts);
-
-/// Closes and bonds all contacts whose gap is at most `tolerance` [m], and, where Settings::bond_share is given, at
-/// most Contact::bond_slip: joints that hold before the first step.
-/// @returns their number
-std::int32_t bond_contacts(const Model& model, const Settings& settings, double tolerance, State& state);
 
 }  // namespace riprap::solid::planar_dda

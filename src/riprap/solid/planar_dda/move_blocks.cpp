@@ -38,7 +38,7 @@ void stretch_block(const Symmetric& strain, std::int32_t block, State& state) {
 
 void move_block(const Model& model, double dt, const Unknowns& d, std::int32_t block, State& state) {
     const std::size_t b = at(block);
-    const Elasticity elasticity = elasticity_of(model.materials[at(model.material[b])], model.plane);
+    const Elasticity elasticity = elasticity_of(model.elasticity, model.plane);
     const Stress added = stress_of(elasticity, d);
     const Symmetric stress =
         turned({state.stress_x[b] + added.x, state.stress_y[b] + added.y, state.stress_xy[b] + added.xy}, d[2]);
@@ -71,16 +71,20 @@ void drive_block(double dt, const Unknowns& d, std::int32_t block, State& state)
     }
 }
 
+void keep_contact(const Contact& contact, const Trial& trial, double lock, State& state) {
+    state.contact_corner.push_back(contact.corner);
+    state.contact_edge.push_back(contact.edge);
+    state.contact_mode.push_back(static_cast<std::uint8_t>(trial.mode));
+    state.contact_is_bonded.push_back(trial.is_bonded ? 1 : 0);
+    state.contact_lock.push_back(lock);
+    state.contact_share.push_back(contact.share);
+    state.contact_multiplier.push_back(trial.multiplier);
+    state.contact_plastic_slip.push_back(trial.is_bonded ? trial.plastic_slip : 0);
+    state.contact_force.push_back(trial.normal);
+}
+
 void keep_contacts(const Scratch& scratch, State& state) {
-    state.contact_corner.clear();
-    state.contact_edge.clear();
-    state.contact_mode.clear();
-    state.contact_is_bonded.clear();
-    state.contact_lock.clear();
-    state.contact_share.clear();
-    state.contact_multiplier.clear();
-    state.contact_plastic_slip.clear();
-    state.contact_force.clear();
+    clear_contacts(state);
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         const Contact& contact = scratch.contacts[k];
         const Trial& trial = scratch.trials[k];
@@ -92,15 +96,7 @@ void keep_contacts(const Scratch& scratch, State& state) {
             // s = foot - lock along the edge shall be the elastic slip of the friction
             lock += (trial.slip - trial.kept / contact.joint.shear_stiffness) / contact.edge_length;
         }
-        state.contact_corner.push_back(contact.corner);
-        state.contact_edge.push_back(contact.edge);
-        state.contact_mode.push_back(static_cast<std::uint8_t>(trial.mode));
-        state.contact_is_bonded.push_back(trial.is_bonded ? 1 : 0);
-        state.contact_lock.push_back(lock);
-        state.contact_share.push_back(contact.share);
-        state.contact_multiplier.push_back(trial.multiplier);
-        state.contact_plastic_slip.push_back(trial.is_bonded ? trial.plastic_slip : 0);
-        state.contact_force.push_back(trial.normal);
+        keep_contact(contact, trial, lock, state);
     }
 }
 

@@ -15,8 +15,8 @@ double cohesion_force(const Contact& contact, const Trial& trial) {
 }
 
 /// Largest shear force [N].
-double shear_limit(const Contact& contact, const Trial& trial) {
-    return std::max(0.0, trial.normal * contact.joint.friction + cohesion_force(contact, trial));
+double shear_limit(const Settings& settings, const Contact& contact, const Trial& trial) {
+    return shear_strength(settings.joint_law, {trial.normal, contact.joint.friction, cohesion_force(contact, trial)});
 }
 
 /// Force that the contact would have if it were closed [N].
@@ -48,8 +48,8 @@ void count_change(Changes& changes, Trial& trial, std::size_t k) {
 }
 
 /// Decides between lock and slide, and the friction of the next solution.
-void update_shear(const Contact& contact, Trial& trial, Changes& changes) {
-    const double limit = shear_limit(contact, trial), shear = contact.joint.shear_stiffness * trial.slip;
+void update_shear(const Settings& settings, const Contact& contact, Trial& trial, Changes& changes) {
+    const double limit = shear_limit(settings, contact, trial), shear = contact.joint.shear_stiffness * trial.slip;
     const bool has_turned = trial.mode == Mode::sliding && trial.friction * trial.slip < 0;
     const bool slides = std::abs(shear) >= limit && !has_turned;
     const Mode mode = slides ? Mode::sliding : Mode::locked;
@@ -69,7 +69,7 @@ void update_shear(const Contact& contact, Trial& trial, Changes& changes) {
 
 }  // namespace
 
-void begin_trials(Scratch& scratch) {
+void begin_trials(const Settings& settings, Scratch& scratch) {
     scratch.trials.resize(scratch.contacts.size());
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         const Contact& contact = scratch.contacts[k];
@@ -85,7 +85,7 @@ void begin_trials(Scratch& scratch) {
             trial.normal = trial.multiplier - contact.joint.normal_stiffness * trial.gap;
         }
         if (contact.mode == Mode::sliding) {
-            trial.friction = std::copysign(shear_limit(contact, trial), trial.slip);
+            trial.friction = std::copysign(shear_limit(settings, contact, trial), trial.slip);
         }
         scratch.trials[k] = trial;
     }
@@ -106,7 +106,7 @@ Changes update_modes(const Settings& settings, double dt, Scratch& scratch) {
                 lock_at_touch(contact, trial);
                 trial.normal = normal;
                 trial.mode = Mode::locked;
-                update_shear(contact, trial, changes);
+                update_shear(settings, contact, trial, changes);
                 count_change(changes, trial, k);
             }
             continue;
@@ -120,7 +120,7 @@ Changes update_modes(const Settings& settings, double dt, Scratch& scratch) {
             continue;
         }
         changes.largest_normal = std::max(changes.largest_normal, std::abs(normal));
-        update_shear(contact, trial, changes);
+        update_shear(settings, contact, trial, changes);
     }
     return changes;
 }
@@ -145,7 +145,7 @@ int break_bonds(const Settings& settings, Scratch& scratch) {
     return broken;
 }
 
-void end_bonds(Scratch& scratch) {
+void end_bonds(const Settings& settings, Scratch& scratch) {
     for (std::size_t k = 0; k < scratch.contacts.size(); ++k) {
         const Contact& contact = scratch.contacts[k];
         Trial& trial = scratch.trials[k];
@@ -163,7 +163,8 @@ void end_bonds(Scratch& scratch) {
         trial.is_bonded = (trial.mode == Mode::sliding || may_be_apart) && trial.plastic_slip <= contact.bond_slip;
         trial.has_broken = !trial.is_bonded;
         if (trial.has_broken) {
-            trial.kept = std::copysign(std::min(std::abs(trial.kept), shear_limit(contact, trial)), trial.kept);
+            trial.kept =
+                std::copysign(std::min(std::abs(trial.kept), shear_limit(settings, contact, trial)), trial.kept);
         }
     }
 }

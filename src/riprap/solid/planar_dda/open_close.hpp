@@ -6,7 +6,7 @@
 namespace riprap::solid::planar_dda {
 
 /// Sets the trial of every contact to what the state remembers.
-void begin_trials(Scratch& scratch);
+void begin_trials(const Settings& settings, Scratch& scratch);
 
 /// Changes of one iteration.
 struct Changes {
@@ -24,11 +24,11 @@ struct Changes {
 /// |---------|-----------------------------------------------------------------------------------------------------|
 /// | open    | closed when the gap is below -close_tolerance, the foot lies on the edge and the contact would push |
 /// | closed  | open when spring, multiplier and dashpot together would pull; bonded: see break_bonds               |
-/// | locked  | sliding when p_s abs(s) >= N tan(phi) + c l                                                         |
-/// | sliding | locked when p_s abs(s) < N tan(phi) + c l or the slip turns round                                   |
+/// | locked  | sliding when p_s abs(s) >= S                                                                        |
+/// | sliding | locked when p_s abs(s) < S or the slip turns round                                                  |
 ///
-/// The slip counts from a lock point that keeps the spring of a sliding contact at its limit, so that one rule serves
-/// both ways: the elastic-plastic Coulomb spring.
+/// S is the strength by the joint law, of Coulomb N tan(phi) + c l. The slip counts from a lock point that keeps the
+/// spring of a sliding contact at its limit, so that one rule serves both ways: the elastic-plastic Coulomb spring.
 Changes update_modes(const Settings& settings, double dt, Scratch& scratch);
 
 /// Breaks all bonds whose tension passes the tensile strength, or that slide while they pull; a broken bond has lost
@@ -37,7 +37,7 @@ int break_bonds(const Settings& settings, Scratch& scratch);
 
 /// Adds up the plastic slip of bonds after the step and breaks those that have slid or opened by more than
 /// Contact::bond_slip; see affine/bonds.hpp for why a length decides.
-void end_bonds(Scratch& scratch);
+void end_bonds(const Settings& settings, Scratch& scratch);
 
 /// lambda <- max(0, lambda - p d) of closed contacts [Ding2021, eq. 2.9]. @returns the largest gap left [m]
 double update_multipliers(Scratch& scratch);

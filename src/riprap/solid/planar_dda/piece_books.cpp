@@ -7,6 +7,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
+#include "riprap/solid/planar_dda/plane.hpp"
 #include "riprap/solid/planar_dda/submatrices.hpp"
 
 namespace riprap::solid {
@@ -77,23 +78,24 @@ void sum_contacts(const Scratch& engine, body::Loads& loads) {
 
 void sum_supports(const Model& model, const State& start, const Scratch& engine, double dt, body::Loads& loads,
                   KickReport& impulses) {
-    for (const FixedPoint& p : model.fixed_points) {
-        if (model.is_fixed[at(p.block)] != 0) {
+    for (const body::FixedPoint& p : model.fixed_points) {
+        const std::int32_t block = p.body.value;
+        if (model.is_fixed[at(block)] != 0) {
             continue;
         }
-        const Vec2 r = offset_of(start, p.block, p.local), center{start.x[at(p.block)], start.y[at(p.block)]};
-        const Vec2 off = p.anchor - (center + r) - displacement_at(r, engine.motion[at(p.block)]);
+        const Vec2 r = offset_of(start, block, flat(p.point)), center{start.x[at(block)], start.y[at(block)]};
+        const Vec2 off = flat(p.place) - (center + r) - displacement_at(r, engine.motion[at(block)]);
         const Unknowns force = force_at(r, off);
-        add_load(p.block, p.stiffness, force, loads);
+        add_load(block, p.stiffness, force, loads);
         impulses.impulse += dt * p.stiffness * Vec3{force[0], force[1], 0};
         impulses.angular_impulse += dt * p.stiffness * Vec3{0, 0, force[2] + cross(center, off)};
     }
-    for (const Bolt& bolt : model.bolts) {
+    for (const body::Bolt& bolt : model.bolts) {
         const Linear length = bolt_length(start, bolt);
         const double stretched =
-            length.after(engine.motion[at(bolt.first)], engine.motion[at(bolt.second)]) - bolt.rest_length;
-        add_load(bolt.first, -bolt.stiffness * stretched, length.a, loads);
-        add_load(bolt.second, -bolt.stiffness * stretched, length.b, loads);
+            length.after(engine.motion[at(bolt.first.value)], engine.motion[at(bolt.second.value)]) - bolt.rest_length;
+        add_load(bolt.first.value, -bolt.stiffness * stretched, length.a, loads);
+        add_load(bolt.second.value, -bolt.stiffness * stretched, length.b, loads);
     }
 }
 

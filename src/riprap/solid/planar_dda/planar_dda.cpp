@@ -8,11 +8,13 @@
 #include "riprap/body/drives.hpp"
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
+#include "riprap/solid/affine/body_bridge.hpp"
 #include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/stiffness_range.hpp"
-#include "riprap/solid/planar_dda/assemble.hpp"
+#include "riprap/solid/planar_dda/bond_faces.hpp"
 #include "riprap/solid/planar_dda/dashpots.hpp"
 #include "riprap/solid/planar_dda/piece_books.hpp"
+#include "riprap/solid/planar_dda/scene_bridge.hpp"
 
 namespace riprap::solid {
 
@@ -39,23 +41,6 @@ planar_dda::Settings settings_of(const PlanarDdaSettings& given, double smallest
 /// An impact is resolved by steps down to this share of the step of the method.
 constexpr double finest_pieces = 64;
 
-bool is_damped(const planar_dda::Model& model) {
-    return std::ranges::any_of(model.joints, [](const planar_dda::Joint& joint) { return joint.damping_ratio > 0; });
-}
-
-/// Bonds faces that touch at the start, to a ten-thousandth of the smaller block of the pair, where their joint has
-/// cohesion or tensile strength.
-void bond_faces(const planar_dda::SceneBlocks& scene, const planar_dda::Settings& settings, planar_dda::State& state) {
-    const auto has_bond = [](const planar_dda::Joint& joint) { return joint.cohesion > 0 || joint.tension > 0; };
-    if (std::any_of(scene.model.joints.begin(), scene.model.joints.end(), has_bond)) {
-        bond_contacts(scene.model, settings, std::numeric_limits<double>::infinity(), state);
-        planar_dda::drop_contacts(state, [&](std::size_t k) {
-            return !has_bond(scene.model.joint(scene.model.corner_block[at(state.contact_corner[k])],
-                                               scene.model.corner_block[at(state.contact_edge[k])]));
-        });
-    }
-}
-
 }  // namespace
 
 PlanarDda::PlanarDda(const SolidScene& scene, const Settings& settings, const SolidState& state, Fields& fields,
@@ -68,7 +53,7 @@ PlanarDda::PlanarDda(const SolidScene& scene, const Settings& settings, const So
     }
     if (!scratch.is_made) {
         const planar_dda::Disc around{{fields.around[0], fields.around[1]}, fields.around[2]};
-        make_blocks(scene, state.bodies, around, settings.elasticity, settings.plane, scratch.scene);
+        scratch.scene = make_blocks(scene, state.bodies, around, settings.elasticity, settings.plane);
         scratch.settings = settings_of(settings, scratch.scene.smallest);
         scratch.is_made = true;
     }
@@ -77,15 +62,14 @@ PlanarDda::PlanarDda(const SolidScene& scene, const Settings& settings, const So
         for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
             fields.was_held.push_back(is_free(scene.bodies, BodyId{b}, 0) ? 0 : 1);
         }
-        std::copy(fields.was_held.begin(), fields.was_held.end(), scratch.scene.model.is_fixed.begin());
-        bond_faces(scratch.scene, scratch.settings, fields.blocks);
+        bond_faces(scratch.scene.model, scratch.settings, fields.blocks);
     }
 }
 
 std::vector<SceneProblem> PlanarDda::problems_of(const SolidScene& scene, const Settings& settings,
                                                  const body::BodyState& bodies) {
-    planar_dda::SceneBlocks blocks;
-    make_blocks(scene, bodies, planar_dda::disc_around(scene, bodies), settings.elasticity, settings.plane, blocks);
+    const planar_dda::SceneBlocks blocks = planar_dda::make_blocks(
+        scene, bodies, planar_dda::disc_around(scene, bodies), settings.elasticity, settings.plane);
     return blocks.problems.empty() ? affine::softness_problems(scene, settings.elasticity) : blocks.problems;
 }
 
@@ -121,9 +105,9 @@ std::string PlanarDda::misfit(const SolidScene& scene, const Settings& settings,
     if (fields.around.size() != 3) {
         return "the disc about the bodies at the start is missing";
     }
-    planar_dda::SceneBlocks blocks;
-    make_blocks(scene, bodies, {{fields.around[0], fields.around[1]}, fields.around[2]}, settings.elasticity,
-                settings.plane, blocks);
+    const planar_dda::Disc around{{fields.around[0], fields.around[1]}, fields.around[2]};
+    const planar_dda::SceneBlocks blocks =
+        planar_dda::make_blocks(scene, bodies, around, settings.elasticity, settings.plane);
     const auto is_corner = [corners = blocks.model.corner.size()](std::int32_t c) { return c >= 0 && at(c) < corners; };
     return std::ranges::all_of(s.contact_corner, is_corner) && std::ranges::all_of(s.contact_edge, is_corner)
                ? ""
@@ -131,50 +115,50 @@ std::string PlanarDda::misfit(const SolidScene& scene, const Settings& settings,
 }
 
 Outcome PlanarDda::advance(const TimeSpan& span, const body::LoadView& given, Measure, SolidReport& report) {
-    planar_dda::SceneBlocks& scene = scratch_->scene;
-    if (!scene.problems.empty()) {
-        return {scene.problems.front().message, 0};
+    if (const std::vector<SceneProblem>& problems = scratch_->scene.problems; !problems.empty()) {
+        return {problems.front().message, 0};
     }
+    planar_dda::Model& model = scratch_->scene.model;
     const body::LoadView loads = scratch_->point_loads.add(scene_->point_loads, state_.bodies, span.middle(), given);
     planar_dda::read_loads(loads, scratch_->given);
     body::advance_corrections(state_.bodies, span.dt);
-    planar_dda::drive_blocks(*scene_, span, state_.bodies, fields_->blocks, scene, scratch_->driven);
+    planar_dda::drive_blocks(*scene_, span, state_.bodies, fields_->blocks, model, scratch_->driven);
     const Vec3 gravity = scene_->gravity.at(span.middle());
-    book_released(scene.model, *fields_, gravity, report.kick);
+    book_released(model, *fields_, gravity, report.kick);
     const planar_dda::Accounts before = fields_->blocks.accounts;
     const planar_dda::Step step{span.dt, {gravity.x, gravity.y}, scratch_->given, scratch_->driven};
-    const bool has_supports = !scene.model.fixed_points.empty() || !scene.model.bolts.empty();
-    const bool may_refuse = is_damped(scene.model) && span.dt > settings_->step / finest_pieces;
+    const bool has_supports = !model.fixed_points.empty() || !model.bolts.empty();
+    const bool may_refuse = model.surfaces.are_damped() && span.dt > settings_->step / finest_pieces;
     const planar_dda::State start = has_supports || may_refuse ? fields_->blocks : planar_dda::State{};
     planar_dda::StepReport taken;
-    const planar_dda::Outcome outcome =
-        planar_dda::advance(scene.model, scratch_->settings, step, fields_->blocks, scratch_->engine, taken);
+    const Outcome outcome =
+        planar_dda::advance(model, scratch_->settings, step, fields_->blocks, scratch_->engine, taken);
     if (!outcome.ok()) {
-        return {outcome.problem, outcome.shorten};
+        return outcome;
     }
     const std::int64_t impact =
-        may_refuse ? find_unresolved_impact(scene.model, fields_->blocks, step.gravity, span.dt, scratch_->engine) : -1;
+        may_refuse ? find_unresolved_impact(model, fields_->blocks, step.gravity, span.dt, scratch_->engine) : -1;
     if (impact >= 0) {
         fields_->blocks = start;
         const planar_dda::Contact& contact = scratch_->engine.contacts[at(impact)];
-        return {fmt::format("{} and {} meet too fast for a step of {:.3g} s", scene.model.name_of(contact.a),
-                            scene.model.name_of(contact.b), span.dt),
+        return {fmt::format("{} and {} meet too fast for a step of {:.3g} s", model.name_of(contact.a),
+                            model.name_of(contact.b), span.dt),
                 0.5};
     }
-    std::copy(scene.model.is_fixed.begin(), scene.model.is_fixed.end(), fields_->was_held.begin());
-    scratch_->loads.clear(at(scene.model.block_count()));
+    std::copy(model.is_fixed.begin(), model.is_fixed.end(), fields_->was_held.begin());
+    scratch_->loads.clear(at(model.block_count()));
     sum_contacts(scratch_->engine, scratch_->loads);
-    sum_supports(scene.model, start, scratch_->engine, span.dt, scratch_->loads, report.kick);
+    sum_supports(model, start, scratch_->engine, span.dt, scratch_->loads, report.kick);
     report.gravity = gravity;
     report.kick_time = span.end();
     report.kick_share = 1;
-    book_blocks(scene.model, fields_->blocks, gravity, scratch_->given, scratch_->loads, span.dt, report.kick);
-    book_accounts(before, fields_->blocks.accounts, energies_of(scene.model, fields_->blocks), report);
+    book_blocks(model, fields_->blocks, gravity, scratch_->given, scratch_->loads, span.dt, report.kick);
+    book_accounts(before, fields_->blocks.accounts, energies_of(model, fields_->blocks), report);
     report.max_depth = taken.largest_overlap;
     report.contact_count = taken.touching_pairs;
     report.open_frictions = taken.open_frictions;
     report.pair_count = static_cast<std::int64_t>(scratch_->engine.search.pairs.size());
-    write_bodies(scene, fields_->blocks, state_.bodies);
+    write_bodies(model, fields_->blocks, state_.bodies);
     write_mean_rates(scratch_->engine.motion, span.dt, state_.bodies);
     state_.previous_dt = span.dt;
     return {};

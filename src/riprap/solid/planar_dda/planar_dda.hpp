@@ -8,7 +8,7 @@
 #include "riprap/core/account.hpp"
 #include "riprap/core/shown.hpp"
 #include "riprap/material/property.hpp"
-#include "riprap/solid/planar_dda/scene_bridge.hpp"
+#include "riprap/solid/planar_dda/make_blocks.hpp"
 #include "riprap/solid/planar_dda/settings.hpp"
 #include "riprap/solid/planar_dda/state.hpp"
 #include "riprap/solid/planar_dda/step.hpp"

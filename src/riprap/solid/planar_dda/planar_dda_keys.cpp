@@ -28,7 +28,7 @@ MethodKeys<PlanarDdaSettings> PlanarDdaSettings::keys() {
                            number(&S::max_displacement, "displacement_limit", dimension::plain, above(0, 1),
                                   "Displacement of a corner in a step, over the side of the smallest block, for which "
                                   "contacts are sought; three times as much cuts the step.")} +
-                within(&S::engine, engine_keys)};
+                within(&S::engine, engine_keys + affine::joint_keys<Engine>())};
 }
 
 std::vector<material::PropertyUse> PlanarDda::reads(const Settings& /*settings*/) { return affine::contact_uses(true); }

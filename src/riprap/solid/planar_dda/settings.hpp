@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "riprap/contact/law/joint_laws.hpp"
 #include "riprap/solid/affine/elasticity.hpp"
 
 namespace riprap {
@@ -16,8 +17,7 @@ namespace riprap::solid::planar_dda {
 /// Which strain or stress vanishes across the plane.
 enum class PlaneState : std::uint8_t { stress, strain };
 
-/// Settings of contact search, open-close iteration and steps. Lengths follow the size of the scene; see
-/// settings_for().
+/// Settings of contact search, open-close iteration and steps. Lengths follow the size of the scene.
 struct Settings {
     double displacement_limit{0.01};  ///< largest displacement of a corner in one step [m]; contacts are sought 2.5
                                       ///< times as far
@@ -32,10 +32,8 @@ struct Settings {
     bool has_multipliers{false};        ///< augmented Lagrange instead of the penalty alone
     double multiplier_tolerance{1e-9};  ///< overlap left by the augmented Lagrange loop [m]
     int max_augmentations{20};          ///< of that loop
+    contact::JointLaws joint_law{};
 };
-
-/// Settings for a scene with the half extent w0 [m] when corners may move by `displacement_ratio` w0 in a step.
-Settings settings_for(double half_extent, double displacement_ratio = 0.005);
 
 }  // namespace riprap::solid::planar_dda
 

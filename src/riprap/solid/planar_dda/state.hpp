@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "riprap/solid/planar_dda/unknowns.hpp"
@@ -79,22 +80,29 @@ struct State {
     }
 };
 
+/// The lists that have one entry per contact.
+inline auto contact_lists(State& state) {
+    return std::tie(state.contact_corner, state.contact_edge, state.contact_mode, state.contact_is_bonded,
+                    state.contact_lock, state.contact_share, state.contact_multiplier, state.contact_plastic_slip,
+                    state.contact_force);
+}
+
+/// Forgets all contacts.
+inline void clear_contacts(State& state) {
+    std::apply([](auto&... list) { (list.clear(), ...); }, contact_lists(state));
+}
+
 /// Forgets the contacts that is_dropped(place in the list) tells.
 template <class IsDropped>
 void drop_contacts(State& state, const IsDropped& is_dropped) {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < state.contact_corner.size(); ++k) {
-        if (is_dropped(k)) {
-            continue;
+        if (!is_dropped(k)) {
+            std::apply([k, kept](auto&... list) { ((list[kept] = list[k]), ...); }, contact_lists(state));
+            ++kept;
         }
-        const auto keep = [k, kept](auto&... field) { ((field[kept] = field[k]), ...); };
-        keep(state.contact_corner, state.contact_edge, state.contact_mode, state.contact_is_bonded, state.contact_lock,
-             state.contact_share, state.contact_multiplier, state.contact_plastic_slip, state.contact_force);
-        ++kept;
     }
-    const auto cut = [kept](auto&... field) { (field.resize(kept), ...); };
-    cut(state.contact_corner, state.contact_edge, state.contact_mode, state.contact_is_bonded, state.contact_lock,
-        state.contact_share, state.contact_multiplier, state.contact_plastic_slip, state.contact_force);
+    std::apply([kept](auto&... list) { (list.resize(kept), ...); }, contact_lists(state));
 }
 
 /// Offset from the centroid of a point with the offset X in the reference shape: R U X [m].

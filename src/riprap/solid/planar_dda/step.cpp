@@ -183,10 +183,10 @@ Way way_of(const Model& model, double dt, const Scratch& scratch) {
     for (const Contact& contact : scratch.contacts) {
         stiffest = std::max(stiffest, contact.joint.normal_stiffness + std::max(0.0, contact.dashpot) / dt);
     }
-    for (const FixedPoint& point : model.fixed_points) {
+    for (const body::FixedPoint& point : model.fixed_points) {
         stiffest = std::max(stiffest, point.stiffness);
     }
-    for (const Bolt& bolt : model.bolts) {
+    for (const body::Bolt& bolt : model.bolts) {
         stiffest = std::max(stiffest, bolt.stiffness);
     }
     return stiffest <= stiff * 2 * mass / (dt * dt) ? Way::iterative : Way::direct;
@@ -222,7 +222,7 @@ Outcome advance(const Model& model, const Settings& settings, const Step& step, 
         scratch.motion[at(b)] = model.is_fixed[at(b)] ? step.driven[at(b)] : Unknowns{};
     }
     assemble_blocks(model, state, step, scratch);
-    begin_trials(scratch);
+    begin_trials(settings, scratch);
     Outcome outcome = settle_contacts(model, settings, state, step.dt, scratch, report);
     for (int round = 0; outcome.ok() && settings.has_multipliers && round < settings.max_augmentations; ++round) {
         if (update_multipliers(scratch) <= settings.multiplier_tolerance) {
@@ -236,7 +236,7 @@ Outcome advance(const Model& model, const Settings& settings, const Step& step, 
         outcome = accept_or_refuse(settings, scratch, report);
     }
     if (outcome.ok()) {
-        end_bonds(scratch);
+        end_bonds(settings, scratch);
         accept(model, settings, step, state, scratch);
     }
     laps.end(scratch.times.move_bodies);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
+#include "riprap/core/step.hpp"
 #include "riprap/solid/planar_dda/contacts.hpp"
 #include "riprap/solid/planar_dda/equations.hpp"
 #include "riprap/solid/solid_times.hpp"
@@ -17,13 +17,6 @@ struct Step {
     Vec2 gravity{};                      ///< body force per mass [m/s^2]
     std::span<const Unknowns> loads{};   ///< generalized force per block: force, torque, pull; empty = none
     std::span<const Unknowns> driven{};  ///< displacement of fixed blocks in this step; empty = at rest
-};
-
-/// Why a step was refused; empty = it was taken.
-struct Outcome {
-    std::string problem;
-    double shorten{0};  ///< share of dt to try instead; 0 = no shorter step helps
-    bool ok() const { return problem.empty(); }
 };
 
 struct StepReport {
@@ -87,8 +80,5 @@ struct Energies {
     double total() const { return kinetic + strain + contact + fixed_points + bolts; }
 };
 Energies energies_of(const Model& model, const State& state);
-
-/// Energy put in less what was lost since the start, by the accounts; energies_of(...).total() follows it.
-double balance_of(const Accounts& accounts);
 
 }  // namespace riprap::solid::planar_dda

@@ -7,8 +7,8 @@
 
 namespace riprap::solid::planar_dda {
 
-Elasticity elasticity_of(const Material& material, PlaneState plane) {
-    const double E = material.youngs_modulus, nu = material.poisson_ratio;
+Elasticity elasticity_of(const affine::Elasticity& rock, PlaneState plane) {
+    const double E = rock.youngs_modulus, nu = rock.poisson_ratio;
     const double shear = 0.5 * E / (1 + nu);
     if (plane == PlaneState::stress) {
         const double direct = E / (1 - nu * nu);
@@ -39,8 +39,7 @@ Spread spread_of(const Model& model, const State& state, std::int32_t block) {
 
 double volume_of(const Model& model, const State& state, std::int32_t block) {
     const std::size_t b = at(block);
-    return model.area[b] * model.thickness *
-           (state.stretch_xx[b] * state.stretch_yy[b] - state.stretch_xy[b] * state.stretch_xy[b]);
+    return model.area[b] * (state.stretch_xx[b] * state.stretch_yy[b] - state.stretch_xy[b] * state.stretch_xy[b]);
 }
 
 Block6 elastic_block(const Elasticity& e, double volume) {

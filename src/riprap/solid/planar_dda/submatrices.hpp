@@ -14,7 +14,7 @@ namespace riprap::solid::planar_dda {
 struct Elasticity {
     double direct, cross, shear;
 };
-Elasticity elasticity_of(const Material& material, PlaneState plane);
+Elasticity elasticity_of(const affine::Elasticity& rock, PlaneState plane);
 
 /// Stress in world axes, tension positive [Pa].
 struct Stress {
@@ -29,7 +29,7 @@ struct Spread {
     double xx{0}, yy{0}, xy{0};
 };
 Spread spread_of(const Model& model, const State& state, std::int32_t block);
-/// Volume of a block as it stands now: reference area times det U times thickness [m^3].
+/// Volume of a block as it stands now: reference area times det U, one metre thick [m^3].
 double volume_of(const Model& model, const State& state, std::int32_t block);
 
 /// K of the strain energy 1/2 V eps . E eps.

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "riprap/scene/warnings/late_starts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace riprap::scene {
+
+namespace {
+
+/// Rough joints reach 2; 5 is the tangent of 79 degrees.
+constexpr double steepest_friction = 5;
+
+void warn(CaseBuild& build, const SourcePlace& place, std::string message, std::string_view allowed) {
+    build.warnings.push_back(to_string(Diagnostic{place, std::move(message), std::string(allowed)}));
+}
+
+/// @param what  that begins, after "the run ends before"
+void warn_of_late(CaseBuild& build, const Value* time, std::string_view what) {
+    const double end = build.model.time.end;
+    if (time != nullptr && time->as_number() > 0 && time->as_number() >= end) {
+        warn(build, time->place,
+             fmt::format("the run ends at {:.6g} s, before {} at {:.6g} s", end, what, time->as_number()),
+             "times are in s; others have their unit with them: \"200 ms\"");
+    }
+}
+
+void look_at_loads(CaseBuild& build, const Value& owner) {
+    const Value* loads = owner.find("load");
+    if (loads == nullptr) {
+        return;
+    }
+    for (const Value& load : loads->items) {
+        warn_of_late(build, load.find("start"), "this load begins");
+        const Value* stop = load.find("stop");
+        const Value* ramp = load.find("ramp");
+        if (stop != nullptr && ramp != nullptr &&
+            ramp->as_number() > (1 + 1e-9) * (stop->as_number() - get_number_or(load, "start", 0))) {
+            warn(build, ramp->place,
+                 fmt::format("this load stops at {:.6g} s, before it has grown to its full size", stop->as_number()),
+                 "a ramp no longer than from start to stop");
+        }
+    }
+}
+
+void look_at_friction(CaseBuild& build, const Value& table) {
+    const Value* friction = table.find("friction_coefficient");
+    if (friction != nullptr && friction->as_number() > steepest_friction) {
+        warn(build, friction->place,
+             fmt::format("friction_coefficient = {:.6g} is the tangent of {:.3g} degrees", friction->as_number(),
+                         std::atan(friction->as_number()) * 180 / std::numbers::pi),
+             "an angle is friction_angle_deg");
+    }
+}
+
+}  // namespace
+
+void warn_of_late_starts(CaseBuild& build) {
+    for (const Value& body : get(build.root, "body").items) {
+        look_at_loads(build, body);
+        const std::string name = fmt::format("'{}'", get(body, "name").text);
+        if (const Value* motion = body.find("motion")) {
+            warn_of_late(build, motion->find("start"), fmt::format("{} begins to move", name));
+        }
+        warn_of_late(build, body.find("release_time"), fmt::format("{} is released", name));
+    }
+    for (const Value& section : get(build.root, "section").items) {
+        look_at_loads(build, section);
+    }
+    const Value& gravity = get(build.root, "gravity");
+    const Value* turn = gravity.is_table() ? gravity.find("rotation") : nullptr;
+    warn_of_late(build, turn != nullptr ? turn->find("start") : nullptr, "gravity begins to turn");
+}
+
+void warn_of_steep_friction(CaseBuild& build) {
+    for (const Entry& material : get(build.root, "material").entries) {
+        look_at_friction(build, material.value);
+    }
+    for (const Value& pair : get(get(build.root, "contact"), "pair").items) {
+        look_at_friction(build, pair);
+    }
+}
+
+}  // namespace riprap::scene
