@@ -7,7 +7,7 @@
 #include <string>
 
 #include "riprap/core/error.hpp"
-#include "riprap/view/recorded_run.hpp"
+#include "riprap/view/read_run.hpp"
 
 namespace {
 

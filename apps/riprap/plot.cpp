@@ -14,7 +14,7 @@
 #include "riprap/view/bad_request.hpp"
 #include "riprap/view/browser.hpp"
 #include "riprap/view/plot_svg.hpp"
-#include "riprap/view/recorded_run.hpp"
+#include "riprap/view/read_run.hpp"
 
 namespace riprap {
 

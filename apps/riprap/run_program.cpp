@@ -20,7 +20,7 @@
 #include "riprap/run/signals.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/view/bad_request.hpp"
-#include "riprap/view/page_content.hpp"
+#include "riprap/view/stopped.hpp"
 
 namespace riprap {
 

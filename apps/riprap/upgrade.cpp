@@ -10,6 +10,7 @@
 #include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/find_case.hpp"
+#include "riprap/run/run_folder.hpp"
 #include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/upgrade.hpp"
 
@@ -17,8 +18,14 @@ namespace riprap {
 
 namespace {
 
+/// The case file that is meant: of a run, the one that it keeps.
+std::filesystem::path file_of(const std::string& case_text) {
+    const std::filesystem::path kept = run::RunFolder{case_text}.case_file();
+    return std::filesystem::exists(kept) ? kept : run::find_case(case_text);
+}
+
 int upgrade_case(const std::string& case_text, bool is_printed) {
-    const std::filesystem::path file = run::find_case(case_text);
+    const std::filesystem::path file = file_of(case_text);
     const std::string before = io::read_file(file, scene::limits::case_bytes);
     const scene::UpgradedCase upgraded = scene::upgrade_case_text(before, file.string());
     std::FILE* report = is_printed ? stderr : stdout;
@@ -57,7 +64,8 @@ void add_upgrade(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("upgrade", "Give keys and words of older versions their names of today");
     command->footer("Example:\n  riprap upgrade my_slope/case.toml --print | diff my_slope/case.toml -");
-    command->add_option("CASE", options->case_text, "A case file, or a folder with a case.toml")->required();
+    command->add_option("CASE", options->case_text, "A case file, a folder with a case.toml, or the folder of a run")
+        ->required();
     command->add_flag("--print", options->is_printed,
                       "Print the new file; without it, CASE is rewritten, and CASE.old keeps what it was");
     command->callback(

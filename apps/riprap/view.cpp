@@ -8,6 +8,7 @@
 #include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/view/page.hpp"
+#include "riprap/view/read_run.hpp"
 #include "riprap/view/serve.hpp"
 
 namespace riprap {

@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "riprap/core/printable.hpp"
+#include "riprap/view/read_run.hpp"
 #include "riprap/view/wave_report.hpp"
 
 namespace riprap {

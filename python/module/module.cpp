@@ -9,6 +9,7 @@
 #include "riprap/run/provenance.hpp"
 #include "riprap/run/run_case.hpp"
 #include "riprap/view/page.hpp"
+#include "riprap/view/read_run.hpp"
 #include "riprap/view/sweep_page.hpp"
 #include "simulation.hpp"
 #include "values.hpp"

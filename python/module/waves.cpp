@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "riprap/view/bad_request.hpp"
+#include "riprap/view/read_run.hpp"
 #include "riprap/view/wave_report.hpp"
 #include "simulation.hpp"
 #include "values.hpp"

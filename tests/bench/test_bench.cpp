@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "riprap/bench/machine.hpp"
 #include "riprap/bench/measure.hpp"
 #include "riprap/core/parallel.hpp"
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <random>
 
-#include "riprap/body/fill_section.hpp"
 #include "riprap/geometry/shapes.hpp"
 
 namespace riprap::body {

@@ -59,6 +59,12 @@ TEST_F(Mistakes, AnOldCaseIsRewrittenOnceAndKeptBesideAsItWas) {
     EXPECT_EQ(again.code, 5);
     EXPECT_THAT(again.err, HasSubstr("case.toml.old' exists already"));
     EXPECT_EQ(io::read_file(file, 1 << 20), before);
+
+    const std::filesystem::path kept = folder.path() / "run" / "case" / "case.toml";  // by a run
+    std::filesystem::create_directories(kept.parent_path());
+    std::filesystem::copy_file(file, kept);
+    EXPECT_EQ(run({"upgrade", (folder.path() / "run").string()}).code, 0);
+    EXPECT_EQ(io::read_file(kept, 1 << 20), printed.out);
 }
 
 TEST_F(Mistakes, TheVersionIsAlsoAnOption) {

@@ -206,11 +206,5 @@ TEST(Obj, ABodyNamedAgainGoesOn) {
     EXPECT_THAT(surface.face_body, ElementsAre(0, 1, 0));
 }
 
-TEST(SurfaceFile, AMissingFileIsAFileErrorAndAnUnknownKindACaseError) {
-    EXPECT_THROW(read_surface(sample_path("missing.stl"), 1.0), FileError);
-    EXPECT_THROW(read_surface(sample_path(""), 1.0), CaseError);
-    EXPECT_EQ(read_surface(sample_path("tetrahedron.stl"), 1.0).face_count(), 4u);
-}
-
 }  // namespace
 }  // namespace riprap::geometry

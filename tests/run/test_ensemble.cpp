@@ -10,6 +10,7 @@
 #include "io/temporary_folder.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
+#include "riprap/run/spreads.hpp"
 
 namespace riprap::run {
 namespace {

@@ -4,7 +4,9 @@
 
 #include "io/older_checkpoint.hpp"
 #include "io/temporary_folder.hpp"
+#include "riprap/io/csv_reader.hpp"
 #include "riprap/run/restart.hpp"
+#include "riprap/run/run_case.hpp"
 #include "riprap/sim/advance.hpp"
 #include "run/falling_blocks.hpp"
 
@@ -74,6 +76,49 @@ TEST(OldCheckpoints, AFieldThatTheirFormatHadIsMissedAsEver) {
     const io::Checkpoint false_claim = io::Checkpoint::parse(with_format(bytes, 2), "file");
     EXPECT_THAT([&] { io::restore(false_claim, record, any_length); },
                 ::testing::ThrowsMessage<CheckpointError>(HasSubstr("no section 'run.approached'")));
+}
+
+/// Gives a table the heading that another version wrote; returns its text.
+std::string with_other_heading(const std::filesystem::path& file) {
+    std::string text = io::read_file(file, 1U << 24U);
+    text.replace(text.find(",", 0) + 1, 5, "older");
+    io::write_file(file, text);
+    return text;
+}
+
+// Story: the ledger of version 0.2 has other columns, and a run of it could not go on for them.
+TEST(OldCheckpoints, TablesWithOtherColumnsAreSetAsideAndNewOnesBegin) {
+    const TemporaryFolder place;
+    const std::filesystem::path folder = place.path() / "run", latest = RunFolder{folder}.checkpoint_latest();
+    RunOptions options;
+    options.overrides = {"end=0.1", "max_steps=60"};
+    options.out = folder;
+    options.threads = 1;
+    options.silent = true;
+    ASSERT_EQ(run_loaded(falling_blocks(options.overrides), options), 0);
+    const std::string ledger = with_other_heading(folder / "ledger.csv");
+    const std::string probes = io::read_file(folder / "probes.csv", 1U << 24U);
+    make_older(latest, 1);
+    const std::string checkpoint = io::read_file(latest, 1U << 24U);
+
+    const auto expect_set_aside = [&] {
+        EXPECT_EQ(io::read_file(folder / "ledger.older.csv", 1U << 24U), ledger);
+        EXPECT_FALSE(std::filesystem::exists(folder / "ledger.older-2.csv"));
+        const io::CsvTable now = io::read_record(folder / "ledger.csv");
+        EXPECT_EQ(now.columns[1].name, "solid.kinetic");
+        EXPECT_GT(now.values[0].front(), 0);                                               // from the checkpoint on
+        EXPECT_TRUE(io::read_file(folder / "probes.csv", 1U << 24U).starts_with(probes));  // has its columns: goes on
+    };
+    ASSERT_EQ(resume_run({folder, 1, {}, 80, true}), 0);
+    expect_set_aside();
+    ASSERT_EQ(resume_run({folder, 1, {}, 90, true}), 0);  // by a checkpoint of this version
+    expect_set_aside();
+
+    // Killed after the table was set aside, before the next checkpoint: the new one has a heading at most.
+    io::write_file(latest, checkpoint);
+    std::filesystem::remove(folder / "ledger.csv");
+    ASSERT_EQ(resume_run({folder, 1, {}, 80, true}), 0);
+    expect_set_aside();
 }
 
 }  // namespace

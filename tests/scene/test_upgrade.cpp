@@ -2,6 +2,7 @@
 // Case files of older versions: they open, or say which name of today is meant, and are rewritten.
 #include "riprap/scene/upgrade.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "case_fixture.hpp"
@@ -114,6 +115,42 @@ TEST(Upgrade, RefusesAWordThatNothingReplacesAndOneThatIsNotWrittenOut) {
     EXPECT_THAT(refusal_of_upgrade(probe + "quantity = \"work\\u005Fdriven\"\n"),
                 AllOf(HasSubstr("case.toml:11:12:"), HasSubstr("letter by letter")));
     EXPECT_THAT(refusal_of_upgrade("[open\n"), HasSubstr("case.toml:"));
+}
+
+/// Tells whether one of the forms, or an entry of a list, takes the word.
+bool takes(const std::vector<Form>& forms, const std::string& word) {
+    return std::any_of(forms.begin(), forms.end(), [&](const Form& form) {
+        return std::find(form.words.begin(), form.words.end(), word) != form.words.end() || takes(form.item, word);
+    });
+}
+
+/// Tells whether a row says what became of a key, or of a word that it took.
+bool is_renamed(std::string_view table, const std::string& key, const std::string& word) {
+    const std::span<const Renamed> rows = renamed_names();
+    return std::any_of(rows.begin(), rows.end(), [&](const Renamed& row) {
+        return row.word == word && std::any_of(row.places.begin(), row.places.end(), [&](const KeyPlace& place) {
+                   return place.table == table && place.key == key;
+               });
+    });
+}
+
+TEST(Upgrade, EveryKeyAndWordOf02IsThereOrSaysWhatReplacesIt) {
+    std::istringstream lines(io::read_file("tests/data/upgrade/keys_of_0_2.txt", 1 << 20));
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) {  // "[[body]] | shape", with " | WORD" for its words
+        const std::size_t bar = line.find(" | "), next = line.find(" | ", bar + 3);
+        const std::string header = line.substr(0, bar), key = line.substr(bar + 3, next - bar - 3),
+                          word = next == std::string::npos ? "" : line.substr(next + 3);
+        const std::vector<const Table*> tables = all_tables();
+        const auto table =
+            std::find_if(tables.begin(), tables.end(), [&](const Table* one) { return one->header == header; });
+        ASSERT_NE(table, tables.end()) << header << " is gone: tables that are renamed need a row of their own kind";
+        const Key* now = (*table)->find(key);
+        EXPECT_TRUE((now != nullptr && (word.empty() || takes(now->forms, word))) ||
+                    is_renamed((*table)->id, key, word))
+            << line << " is gone: add a row to scene/keys/renamed.cpp";
+    }
+    EXPECT_EQ(count, 418);
 }
 
 /// Keys of a table that were renamed: `stiffness` (with any unit) and `old` of materials; `gone` is read no more.

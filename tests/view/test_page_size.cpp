@@ -7,6 +7,8 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/view/page.hpp"
+#include "riprap/view/page_template.hpp"
+#include "riprap/view/read_run.hpp"
 #include "view/stirred_run.hpp"
 
 namespace riprap::view {

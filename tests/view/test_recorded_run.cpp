@@ -18,7 +18,9 @@
 #include "riprap/view/chunk.hpp"
 #include "riprap/view/pack_bodies.hpp"
 #include "riprap/view/page_content.hpp"
+#include "riprap/view/read_run.hpp"
 #include "run/falling_blocks.hpp"
+#include "view/unpack.hpp"
 
 namespace riprap::view {
 namespace {

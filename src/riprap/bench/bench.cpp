@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "riprap/bench/machine.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/run/provenance.hpp"

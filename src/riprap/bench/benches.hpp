@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/bench/registry.hpp"
+#include "riprap/bench/result.hpp"
 
 namespace riprap::bench {
 

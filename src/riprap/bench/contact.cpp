@@ -88,14 +88,10 @@ Timing time_pairs(PairSample& sample, bool with_energy) {
             }
         }
     };
-    Timing timing = time_calls(pass, {15, 0.5});
-    const double scale = 1 / static_cast<double>(sample.pairs.size());
-    timing.median *= scale;
-    timing.low *= scale;
-    timing.high *= scale;
+    const Timing timing = time_calls(pass, {15, 0.5});
     volatile double keep = sum;  // the work may not be left out
     (void)keep;
-    return timing;
+    return each_of(timing, static_cast<double>(sample.pairs.size()));
 }
 
 void measure_pairs(const Setting& setting, const char* name, bool touching, bool with_energy,

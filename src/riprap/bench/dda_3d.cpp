@@ -16,7 +16,6 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/linear/cholmod.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/time_step.hpp"
@@ -176,32 +175,6 @@ void compare_with_rigid(int threads, std::vector<Result>& results) {
     }
 }
 
-/// One solution of about 20 000 unknowns by the factors of CHOLMOD over the same by conjugate gradients.
-void compare_with_cholmod(int threads, std::vector<Result>& results) {
-    if (!linear::has_cholmod()) {
-        return;
-    }
-    Implicit run;
-    make_wall(wall_of_cubes(12, 12, 12), run.system, run.state.blocks);
-    run.settings.open_close = 20;
-    for (int i = 0; i < 3; ++i) {
-        run.step();
-    }
-    auto& equations = run.scratch.equations;
-    int iterations = 0;
-    const auto solve_by = [&](implicit_dda::Solver solver) {
-        std::fill(equations.solution.begin(), equations.solution.end(), 0.0);
-        implicit_dda::SolveSettings settings = run.settings.solve;
-        settings.solver = solver;
-        iterations = solve(settings, equations).iterations;
-    };
-    const Timing ratio = compare_calls([&] { solve_by(implicit_dda::Solver::cholmod); },
-                                       [&] { solve_by(implicit_dda::Solver::pcg_jacobi); }, 9, clock_for(threads));
-    results.push_back({"dda.implicit.cholmod_over_pcg", threads, ratio.median, "-",
-                       fmt::format("{} unknowns, analysis, factors and solution against {} iterations, in turn; {}",
-                                   equations.right.size(), iterations, spread(ratio))});
-}
-
 /// Moves `bytes` through memory by a[i] = b[i] + s c[i], as the machine's bandwidth is measured: what a product with
 /// the matrix costs at least.
 class Traffic {
@@ -289,7 +262,6 @@ void dda_implicit_3400(const Setting& setting, std::vector<Result>& results) {
         results.push_back({"dda.implicit_3400.iteration_share", threads, times.contact_loads / all, "-",
                            "of a step: open and close, with assembly and solutions; the rest finds contacts"});
         compare_with_traffic(threads, run, results);
-        compare_with_cholmod(threads, results);
     }
 }
 

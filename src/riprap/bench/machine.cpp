@@ -74,10 +74,6 @@ MachineLimits measure_machine(const std::vector<int>& thread_counts) {
     return limits;
 }
 
-double core_speed(const MachineLimits& machine) {
-    return machine.by_threads.empty() ? 1 : machine.by_threads.front().fma_double / reference_core.fma_double;
-}
-
 void machine(const Setting& setting, std::vector<Result>& results) {
     for (const ThreadLimits& limits : setting.machine.by_threads) {
         const auto share = [&](double value, double reference) {

@@ -60,6 +60,21 @@ Timing compare_seconds(const std::function<double()>& first, const std::function
     return timing_of(std::move(ratios));
 }
 
+Timing each_of(Timing timing, double count) {
+    return {timing.median / count, timing.low / count, timing.high / count, timing.count};
+}
+
+void add_speedup(const std::string& name, int threads, const std::function<void()>& one,
+                 const std::function<void()>& many, std::vector<Result>& results, int pair_count) {
+    const auto with = [](int count, const std::function<void()>& work) {
+        const ThreadScope scope(count);
+        work();
+    };
+    const Timing ratio = compare_calls([&] { with(1, one); }, [&] { with(threads, many); }, pair_count);
+    results.push_back({name + ".speedup", threads, ratio.median, "-",
+                       fmt::format("over one thread, in turn on the wall; {}", spread(ratio))});
+}
+
 std::string spread(const Timing& timing) {
     const auto percent = [&](double t) { return 100 * (t / timing.median - 1); };
     return fmt::format("median of {}, spread {:.0f} % +{:.0f} %", timing.count, percent(timing.low),

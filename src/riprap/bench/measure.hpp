@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
+
+#include "riprap/bench/result.hpp"
 
 namespace riprap::bench {
 
@@ -38,6 +41,13 @@ Timing compare_calls(const std::function<void()>& first, const std::function<voi
 
 /// The same of calls that return their own seconds.
 Timing compare_seconds(const std::function<double()>& first, const std::function<double()>& second, int pair_count = 9);
+
+/// Times of one of `count` calls that were timed as one.
+Timing each_of(Timing timing, double count);
+
+/// Adds NAME.speedup: how many times as fast `many` runs with so many threads as `one` with one. Both do the same work.
+void add_speedup(const std::string& name, int threads, const std::function<void()>& one,
+                 const std::function<void()>& many, std::vector<Result>& results, int pair_count = 9);
 
 /// Writes "median of 7, spread -1 % +4 %".
 std::string spread(const Timing& timing);

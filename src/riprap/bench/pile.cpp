@@ -32,11 +32,7 @@ class PileRun {
     /// Seconds of a step.
     Timing time_steps() {
         const ThreadScope scope(threads_);
-        Timing timing = time_calls([this] { step_batch(); }, {7, 1.0});
-        for (double* time : {&timing.median, &timing.low, &timing.high}) {
-            *time /= batch_;
-        }
-        return timing;
+        return each_of(time_calls([this] { step_batch(); }, {7, 1.0}), batch_);
     }
     sim::StageTimes stages() const { return sim::stage_times(scratch_); }  ///< of all steps
     std::size_t bytes() const { return sim::memory_bytes(pile_.model, pile_.state, scratch_); }
@@ -57,15 +53,6 @@ std::string shares(const sim::StageTimes& t) {
         "find pairs {:.0f} %, find contacts {:.0f} %, contact loads {:.0f} %, move bodies {:.0f} %, measure {:.0f} %",
         t.find_pairs * percent, t.find_contacts * percent, t.contact_loads * percent, t.move_bodies * percent,
         t.measure * percent);
-}
-
-/// Measures the speed-up of `threads` threads over one that step a pile.
-Result speedup(const std::string& name, const Pile& pile, int warm_steps, int threads) {
-    PileRun one(pile, 1, warm_steps), many(pile, threads, warm_steps);
-    many.set_batch(one.batch());
-    const Timing ratio = compare_calls([&] { one.step_batch(); }, [&] { many.step_batch(); }, 15);
-    return {name + ".speedup", threads, ratio.median, "-",
-            fmt::format("over one thread, in turn on the wall; {}", spread(ratio))};
 }
 
 /// Body-steps per second with every number of threads, its ratio to that of one thread, memory per block.
@@ -89,7 +76,10 @@ void measure_pile(const Setting& setting, const std::string& name, const Pile& p
             results.push_back({name + ".memory", threads, static_cast<double>(run.bytes()) / blocks, "B/block",
                                "Model, State and Scratch"});
         } else {
-            results.push_back(speedup(name, pile, warm_steps, threads));
+            PileRun one(pile, 1, warm_steps), many(pile, threads, warm_steps);
+            many.set_batch(one.batch());
+            add_speedup(
+                name, threads, [&] { one.step_batch(); }, [&] { many.step_batch(); }, results, 15);
         }
     }
 }

@@ -70,11 +70,7 @@ void make_batch(Work& work) {
 /// Time of one call on average over batches.
 template <class Work>
 Timing time_in_batches(Work& work) {
-    Timing timing = time_calls([&] { make_batch(work); }, {5, 1.0});
-    for (double* time : {&timing.median, &timing.low, &timing.high}) {
-        *time /= batch;
-    }
-    return timing;
+    return each_of(time_calls([&] { make_batch(work); }, {5, 1.0}), batch);
 }
 
 void add_rate(const std::string& name, int threads, double particles, const Timing& timing, const std::string& note,
@@ -84,17 +80,12 @@ void add_rate(const std::string& name, int threads, double particles, const Timi
                        fmt::format("{:.0f} ns; {}; {}", 1e9 / rate, note, spread(timing))});
 }
 
-/// Adds the speed-up of `threads` threads over one that make batches of a Work on the column.
+/// Adds the speed-up of threads over one that make batches of a Work on the column.
 template <class Work>
-void add_speedup(const std::string& name, const SphColumn& column, int threads, std::vector<Result>& results) {
+void add_speedup_of(const std::string& name, const SphColumn& column, int threads, std::vector<Result>& results) {
     Work one(column), many(column);
-    const auto with_threads = [](Work& work, int count) {
-        const ThreadScope scope(count);
-        make_batch(work);
-    };
-    const Timing ratio = compare_calls([&] { with_threads(one, 1); }, [&] { with_threads(many, threads); });
-    results.push_back({name + ".speedup", threads, ratio.median, "-",
-                       fmt::format("over one thread, in turn on the wall; {}", spread(ratio))});
+    add_speedup(
+        name, threads, [&] { make_batch(one); }, [&] { make_batch(many); }, results);
 }
 
 void measure_sph(const Setting& setting, const std::string& name, double smoothing_ratio,
@@ -122,7 +113,7 @@ void measure_sph(const Setting& setting, const std::string& name, double smoothi
         }
         add_rate(name, threads, particles, timing, note, results);
         if (threads > 1) {
-            add_speedup<Pass>(name, column, threads, results);
+            add_speedup_of<Pass>(name, column, threads, results);
         }
     }
     for (const int threads : setting.thread_counts) {
@@ -136,7 +127,7 @@ void measure_sph(const Setting& setting, const std::string& name, double smoothi
         add_rate(name + ".step", threads, particles, timing, note + (steps.problem.empty() ? "" : "; " + steps.problem),
                  results);
         if (threads > 1) {
-            add_speedup<Steps>(name + ".step", column, threads, results);
+            add_speedup_of<Steps>(name + ".step", column, threads, results);
         } else {
             results.push_back(
                 {name + ".memory", threads, bytes, "B/particle",

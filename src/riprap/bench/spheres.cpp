@@ -61,13 +61,8 @@ void measure_bed(const Setting& setting, const std::string& name, const SphereWo
         results.push_back({name, threads, per_step, "ns", note + spread(timing)});
         if (threads > 1) {
             SphereWorld one = bed, many = bed;
-            const auto with = [&](SphereWorld& w, int count) {
-                const ThreadScope scope(count);
-                step(w, batch);
-            };
-            const Timing ratio = compare_calls([&] { with(one, 1); }, [&] { with(many, threads); }, 15);
-            results.push_back({name + ".speedup", threads, ratio.median, "-",
-                               fmt::format("over one thread, in turn on the wall; {}", spread(ratio))});
+            add_speedup(
+                name, threads, [&] { step(one, batch); }, [&] { step(many, batch); }, results, 15);
         }
     }
 }

@@ -75,11 +75,7 @@ constexpr int pairs_of_batches = 7;
 
 /// Median over batches of the seconds of a step, by as many threads as are set.
 Timing time_steps(Run& run) {
-    Timing timing = time_calls([&] { run.steps_in_a_row(batch); }, {5, 1.0});
-    for (double* time : {&timing.median, &timing.low, &timing.high}) {
-        *time /= batch;
-    }
-    return timing;
+    return each_of(time_calls([&] { run.steps_in_a_row(batch); }, {5, 1.0}), batch);
 }
 
 /// Ratio of the time of a step of `longer` to one of `shorter`, in turn on one thread.
@@ -123,14 +119,9 @@ void measure_steps(const Setting& setting, const std::string& name, const StepSc
             continue;
         }
         Run one(scene);
-        const auto with_threads = [](Run& which, int count) {
-            const ThreadScope other(count);
-            which.steps_in_a_row(batch);
-        };
-        const Timing ratio =
-            compare_calls([&] { with_threads(one, 1); }, [&] { with_threads(run, threads); }, pairs_of_batches);
-        results.push_back({name + ".speedup", threads, ratio.median, "-",
-                           fmt::format("over one thread, in turn on the wall; {}", spread(ratio))});
+        add_speedup(
+            name, threads, [&] { one.steps_in_a_row(batch); }, [&] { run.steps_in_a_row(batch); }, results,
+            pairs_of_batches);
     }
 }
 
@@ -141,19 +132,15 @@ void add_ratio_to_pass(const std::string& name, std::vector<Result>& results) {
     Run run(dam_break_on_box());
     Pass pass(column);
     const ThreadScope scope(1);
-    Timing ratio = compare_calls([&] { run.steps_in_a_row(batch); },
-                                 [&] {
-                                     for (int k = 0; k < batch; ++k) {
-                                         pass();
-                                     }
-                                 },
-                                 pairs_of_batches, Clock::processor);
-    const double per_particle = static_cast<double>(column.size()) / run.particles();
-    for (double* value : {&ratio.median, &ratio.low, &ratio.high}) {
-        *value *= per_particle;
-    }
-    add_ratio(name, ratio, fmt::format("whole step over the benched pass at h/dp = {}, per particle", smoothing_ratio),
-              results);
+    const Timing whole = compare_calls([&] { run.steps_in_a_row(batch); },
+                                       [&] {
+                                           for (int k = 0; k < batch; ++k) {
+                                               pass();
+                                           }
+                                       },
+                                       pairs_of_batches, Clock::processor);
+    add_ratio(name, each_of(whole, run.particles() / static_cast<double>(column.size())),
+              fmt::format("whole step over the benched pass at h/dp = {}, per particle", smoothing_ratio), results);
 }
 
 /// The same steps with water on the device, if there is one, and how many times as fast they are.

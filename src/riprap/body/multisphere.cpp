@@ -7,7 +7,6 @@
 #include <sstream>
 #include <utility>
 
-#include "riprap/body/fill_section.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/geometry/number_table.hpp"
 

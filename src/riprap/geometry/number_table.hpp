@@ -2,44 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "riprap/core/error.hpp"
+#include "riprap/geometry/table_form.hpp"
 
 namespace riprap::geometry {
-
-/// What a reader says to the unit in a heading.
-struct UnitAnswer {
-    bool is_known{false};
-    bool is_of_its_kind{false};  ///< a length where a length is read, ...
-    std::string problem;         ///< which numbers are read, where those in this unit are not; else empty
-};
-
-/// One column that a reader wants.
-struct TableColumn {
-    std::string_view name;                  ///< for messages: "x"
-    std::vector<std::string_view> aliases;  ///< words of headings that mean it, in lower case
-};
-
-/// Says how numbers of a column are told.
-struct ShownUnit {
-    double factor{1};  ///< SI per unit of the file
-    std::string name;  ///< of the unit in SI
-};
-
-/// Form of the tables that a reader takes.
-struct TableForm {
-    std::vector<TableColumn> columns;
-    bool may_have_more{false};  ///< columns beyond them need no heading; they are not read
-    std::int64_t most_rows{0};
-    /// Looks at the unit in the heading of a column; may be empty.
-    std::function<UnitAnswer(std::size_t column, std::string_view unit)> unit{};
-    bool is_list{false};             ///< rows in any order, such as points: a first row may count those that follow
-    std::vector<ShownUnit> shown{};  ///< of each column, for text_of(); may be empty
-};
 
 /// Rows of finite numbers.
 struct NumberTable {

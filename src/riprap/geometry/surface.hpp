@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,11 +48,6 @@ struct Surface {
     /// "face 12", and " (at byte 684)" when binary; faces count from 1.
     std::string name_of(std::size_t f) const;
 };
-
-/// Reads an STL (ASCII or binary) or OBJ file, chosen by its extension, and multiplies its coordinates by
-/// `scale` [m per unit of the file]: 1 for metres, 0.01 for centimetres, 0.001 for millimetres.
-/// @throws FileError when the file cannot be read, CaseError with every problem of what it holds.
-Surface read_surface(const std::filesystem::path& path, double scale);
 
 /// Refuses a file beyond the limit of size and a scale that is not a finite number above zero. @throws CaseError
 void check_surface_input(const std::string& file, std::uint64_t size, double scale);

@@ -15,7 +15,7 @@ enum class EdgeKind : std::uint8_t {
     flat,    ///< by less than `flat_turn`: nothing meets this edge
     ridge,   ///< away; an edge with a triangle on one side alone is the rim of a cliff
     valley,  ///< towards the outside
-    cleft    ///< the same by more than `steep_turn`: a body may touch both sides at once
+    cleft    ///< a valley by more than `steep_turn`: a body may touch both sides at once
 };
 
 /// Two triangles are one plane below this angle, ten times what heights of six digits leave of a plane [rad].

@@ -7,7 +7,7 @@
 
 #include "riprap/core/vec3.hpp"
 #include "riprap/geometry/surface.hpp"
-#include "riprap/geometry/surface_audit.hpp"
+#include "riprap/geometry/surface_part.hpp"
 #include "riprap/geometry/text_reader.hpp"
 
 namespace riprap::geometry {

@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "riprap/geometry/number_table.hpp"
+#include "riprap/core/error.hpp"
+#include "riprap/geometry/table_form.hpp"
 #include "riprap/geometry/table_line.hpp"
 
 namespace riprap::geometry {

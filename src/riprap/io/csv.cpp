@@ -12,6 +12,7 @@
 #include <fstream>
 #include <utility>
 
+#include "riprap/io/continued_file.hpp"
 #include "riprap/io/own_file.hpp"
 
 namespace riprap::io {
@@ -62,12 +63,18 @@ std::string csv_row(std::span<const double> values) {
     return line;
 }
 
+bool has_heading(const std::filesystem::path& path, std::span<const CsvColumn> columns) {
+    const std::string heading = heading_line(columns);
+    std::string begin(heading.size(), '\0');
+    std::ifstream file(path, std::ios::binary);
+    return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == heading;
+}
+
 void require_table(const std::filesystem::path& path, std::span<const CsvColumn> columns, std::uint64_t bytes) {
     const auto refuse = [&path](const std::string& why) {
         throw FileError("'" + path.string() + "' is damaged: " + why +
                         "; put the file back or start again with --force");
     };
-    const std::string heading = heading_line(columns);
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) {
         refuse(std::filesystem::exists(std::filesystem::symlink_status(path, error)) ? "it is no regular file"
@@ -77,9 +84,7 @@ void require_table(const std::filesystem::path& path, std::span<const CsvColumn>
         refuse("it has " + std::to_string(error ? 0 : size) + " bytes, fewer than the " + std::to_string(bytes) +
                " when the checkpoint was written");
     }
-    std::string begin(heading.size(), '\0');
-    std::ifstream file(path, std::ios::binary);
-    if (!file.read(begin.data(), static_cast<std::streamsize>(begin.size())) || begin != heading) {
+    if (!has_heading(path, columns)) {
         refuse("its columns are not those of this case");
     }
 }

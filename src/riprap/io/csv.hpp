@@ -27,6 +27,9 @@ std::string csv_text(const std::string& text);
 /// Numbers with the fewest digits that read back as the same double; a missing value (NaN) as an empty field.
 std::string csv_row(std::span<const double> values);
 
+/// Tells whether a file begins with the heading of these columns.
+bool has_heading(const std::filesystem::path& path, std::span<const CsvColumn> columns);
+
 /// Looks at a table that a run has left, without opening it to write. @param bytes  what its checkpoint knows of it
 /// @throws FileError when the file is missing, shorter, or starts with another heading
 void require_table(const std::filesystem::path& path, std::span<const CsvColumn> columns, std::uint64_t bytes);

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <limits>
 
 namespace riprap::io {
 
@@ -62,14 +61,6 @@ FileDescriptor open_plain(const std::filesystem::path& path, int flags) {
         refuse_kind(path, false);
     }
     return file;
-}
-
-FileDescriptor open_own(const std::filesystem::path& path, int flags) {
-    struct stat status {};
-    if (look_at(path, status) && S_ISREG(status.st_mode) && status.st_nlink > 1) {
-        write_file(path, read_file(path, std::numeric_limits<std::size_t>::max()));
-    }
-    return open_plain(path, flags);
 }
 
 bool is_in_place(const FileDescriptor& file, const std::filesystem::path& path) {

@@ -5,7 +5,7 @@
 // leads out of the folder, a second name of a file that lies elsewhere, a named pipe. Nothing is ever written through
 // these.
 
-#include "riprap/io/atomic_file.hpp"
+#include "riprap/io/file_descriptor.hpp"
 
 namespace riprap::io {
 
@@ -17,10 +17,6 @@ inline FileDescriptor create_own(const std::filesystem::path& path) { return cre
 /// Opens a file, with the flags of open(2), by its own name alone. @throws FileError for a link and for what is no
 /// regular file
 FileDescriptor open_plain(const std::filesystem::path& path, int flags);
-
-/// Opens a file to go on writing it. Where it has a second name (a hard link), it is copied first, so that the other
-/// one keeps what it has. @throws FileError as open_plain
-FileDescriptor open_own(const std::filesystem::path& path, int flags);
 
 /// Tells whether a name still leads to this open file, and to it directly.
 bool is_in_place(const FileDescriptor& file, const std::filesystem::path& path);

@@ -9,9 +9,9 @@
 
 #include "riprap/io/output/output_kinds.hpp"
 #include "riprap/run/end_causes.hpp"
-#include "riprap/run/ensemble.hpp"
 #include "riprap/run/expects.hpp"
 #include "riprap/run/outputs.hpp"
+#include "riprap/run/spreads.hpp"
 #include "riprap/run/tipping_bias.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
 #include "riprap/sim/advance.hpp"

@@ -26,7 +26,7 @@ struct CaseCheck {
     double water_mass{0};       ///< [kg]; in a planar scene per metre of width
     double filled_volume{0};    ///< that the particles stand for [m^3]; in a planar scene [m^2]
     double trimmed_volume{0};   ///< of the room in regions, outside of solids, that holds no water; in the same unit
-    double narrow_volume{0};    ///< of it, what is too narrow for particles; in the same unit
+    double narrow_volume{0};    ///< part of trimmed_volume that is too narrow for particles
     double sound_speed{0};      ///< of water [m/s]
     std::string sound_speed_reason;
     struct FaceGauge {

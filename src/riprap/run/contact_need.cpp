@@ -79,7 +79,7 @@ double thickness_of(const sim::Model& model, BodyId body) {
 /// What one side of a contact brings against the other.
 struct Side {
     double energy{0}, mass{0};
-    BodyId driven{};  ///< of it, moving against the other side; invalid without one
+    BodyId driven{};  ///< body of this side that drives it against the other; invalid without one
     bool is_held{false};
     bool is_backed{false};  ///< what stands behind it moves as told, or not at all
 };

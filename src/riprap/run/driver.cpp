@@ -99,6 +99,12 @@ void Driver::resume_case() {
 
 void Driver::take_up(Restart restart, std::optional<double> end, std::optional<std::int64_t> max_steps) {
     log_ = std::make_unique<RunLog>(folder_);
+    if (restart.is_of_older_version) {
+        for (const std::filesystem::path& table : io::set_older_tables_aside(
+                 *simulation_.loaded().outputs, folder_.root, model(), restart.record.csv_bytes)) {
+            restart.notice += fmt::format("; '{}' has the rows before, with other columns", table.string());
+        }
+    }
     if (!restart.notice.empty()) {
         log_->add("notice", restart.notice);
         fmt::print(stderr, "riprap: {}\n", printable(restart.notice));  // steps are lost: told under --quiet too
@@ -113,6 +119,10 @@ void Driver::take_up(Restart restart, std::optional<double> end, std::optional<s
     announce(fmt::format("resume at step {}", state().step));
     if (simulation_.steps_left() > 0) {
         outputs_ = std::make_unique<Outputs>(folder_, simulation_.loaded(), simulation_.initial(), record_, true);
+        if (restart.is_of_older_version) {
+            outputs_->note(record_);
+            save_checkpoint(folder_, model(), state(), record_);
+        }
     } else {  // answers come from the checkpoint, but tables are read by others
         io::require_tables(*simulation_.loaded().outputs, folder_.root, model(), record_.csv_bytes);
     }

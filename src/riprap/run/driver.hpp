@@ -8,10 +8,10 @@
 
 #include "riprap/run/outputs.hpp"
 #include "riprap/run/progress.hpp"
-#include "riprap/run/run_case.hpp"
 #include "riprap/run/run_log.hpp"
 #include "riprap/run/simulation.hpp"
 #include "riprap/run/step_watch.hpp"
+#include "riprap/run/watch.hpp"
 
 namespace riprap::run {
 

@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -19,9 +18,9 @@
 #include "riprap/io/csv_reader.hpp"
 #include "riprap/run/member_table.hpp"
 #include "riprap/run/run_folder.hpp"
+#include "riprap/run/spreads.hpp"
 #include "riprap/run/sweep.hpp"
 #include "riprap/scene/assemble/check_spreads.hpp"
-#include "riprap/scene/assemble/random_stream.hpp"
 
 namespace riprap::run {
 
@@ -90,42 +89,6 @@ void write_members(const std::filesystem::path& path, std::uint64_t seed, const 
     }
     io::write_file(path, text);
 }
-
-}  // namespace
-
-std::vector<Spread> spreads_of(const scene::LoadedCase& loaded) {
-    std::vector<Spread> spreads;
-    for (const Json& row : Json::parse(loaded.resolved_json).value("spread", Json::array())) {
-        Spread spread{row.at("key").get<std::string>()};
-        if (row.contains("mean")) {
-            spread.is_normal = true;
-            spread.mean = row.at("mean").get<double>();
-            spread.deviation = row.at("deviation").get<double>();
-        } else {
-            spread.low = row.at("low").get<double>();
-            spread.high = row.at("high").get<double>();
-        }
-        spreads.push_back(std::move(spread));
-    }
-    return spreads;
-}
-
-std::string text_of(const Spread& spread) {
-    return spread.is_normal
-               ? fmt::format("{} {:.6g} with a deviation of {:.6g}", spread.key, spread.mean, spread.deviation)
-               : fmt::format("{} from {:.6g} to {:.6g}", spread.key, spread.low, spread.high);
-}
-
-double draw(const Spread& spread, std::uint64_t seed, std::int64_t member) {
-    scene::RandomStream stream(seed, spread.key, static_cast<std::uint64_t>(member));
-    if (!spread.is_normal) {
-        return stream.uniform(spread.low, spread.high);
-    }
-    const double radius = std::sqrt(-2 * std::log(1 - stream.uniform()));  // Box and Muller
-    return spread.mean + spread.deviation * radius * std::cos(2 * std::numbers::pi * stream.uniform());
-}
-
-namespace {
 
 /// The headings of a table as a text that can be compared.
 std::string headings_of(const io::CsvTable& table) { return io::csv_heading(table.columns); }

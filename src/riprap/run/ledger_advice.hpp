@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "riprap/run/end_causes.hpp"
+#include "riprap/run/refused.hpp"
 
 namespace riprap::run {
 

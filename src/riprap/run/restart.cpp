@@ -218,6 +218,7 @@ void save_checkpoint(const RunFolder& folder, const sim::Model& model, const sim
 Restart restore_checkpoint(const io::Checkpoint& checkpoint, const sim::Model& model, const sim::State& initial) {
     Restart restart{
         restore_state(checkpoint, model, initial, {}), {}, {}, checkpoint.header().case_hash != model.case_hash};
+    restart.is_of_older_version = checkpoint.is_old();
     if (checkpoint.is_old()) {
         restart.notice = fmt::format(
             "checkpoint '{}' is of {}: the run goes on by the rules and defaults of this version, so its bits are not "

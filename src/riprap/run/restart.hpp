@@ -21,11 +21,11 @@ namespace riprap::run {
 /// The driver's memory at one step.
 struct RunRecord {
     double end{0};               ///< time asked for, which `riprap resume --end` may have moved [s]
-    std::int64_t max_steps{-1};  ///< likewise
+    std::int64_t max_steps{-1};  ///< steps asked for; -1 = no limit
     double frame_interval{0};    ///< between frames [s]
     double row_interval{0};      ///< between rows of the tables [s]
     std::int64_t next_frame{0};  ///< the next frame is due at next_frame * frame_interval
-    std::int64_t next_row{0};    ///< likewise
+    std::int64_t next_row{0};    ///< the next row is due at next_row * row_interval
     std::int64_t retries{0};     ///< steps refused and taken again with half the length
     StepCounts steps;
     double wall_seconds{0};  ///< of all processes so far [s]
@@ -66,6 +66,7 @@ struct Restart {
     RunRecord record;
     std::string notice;  ///< why the latest checkpoint was not used, or that it is of an older version; else empty
     bool is_of_unknown_case{false};  ///< of an older version, whose hash of the same case is another
+    bool is_of_older_version{false};
 };
 
 /// Writes the latest checkpoint and keeps the one before. @throws FileError; the old checkpoints are then untouched

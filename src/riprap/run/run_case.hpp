@@ -6,20 +6,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "riprap/run/watch.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {
-
-class Simulation;
-
-/// Called after every accepted step, outputs written; false stops the run as a signal does, but with exit code 0. May
-/// read, and take storage; may not step.
-using Watch = std::function<bool(Simulation&)>;
 
 struct RunOptions {
     std::string case_path;               ///< the case file

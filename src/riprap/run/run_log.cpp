@@ -10,6 +10,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "riprap/io/continued_file.hpp"
 #include "riprap/io/own_file.hpp"
 
 namespace riprap::run {

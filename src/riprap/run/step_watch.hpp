@@ -20,7 +20,7 @@ struct StepCounts {
     std::int64_t through_walls{0};       ///< particles of water that went through bodies, all steps
     std::int64_t solver_iterations{0};   ///< of the water's pressure equation, all steps
     std::int64_t most_iterations{0};     ///< in one step
-    double worst_residual{0};            ///< of it, over its right-hand side [-]
+    double worst_residual{0};            ///< of that equation over its right-hand side [-]
     double longest{0};                   ///< [s]
     double shortest{0};                  ///< that which meets the end not counted; 0 before there is one [s]
 

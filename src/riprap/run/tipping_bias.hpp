@@ -27,7 +27,7 @@ struct TippingBias {
 struct LoadedFoot {
     BodyId body;
     std::int64_t above{0};  ///< bodies that stand on it, directly or on others
-    double weight{0};       ///< of it and of them [N]
+    double weight{0};       ///< of the body and those above [N]
     double area{0};         ///< of its foot [m^2]
     std::int64_t corners{0};
 };

@@ -28,29 +28,6 @@ std::string compress(std::string_view bytes, bool is_noisy) {
     return packed;
 }
 
-std::string decompress(std::string_view packed, std::size_t limit) {
-    z_stream stream{};
-    if (inflateInit(&stream) != Z_OK) {
-        throw InternalError("zlib cannot begin");
-    }
-    std::string bytes;
-    char buffer[1 << 16];
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-    stream.avail_in = static_cast<uInt>(packed.size());
-    int status = Z_OK;
-    while (status == Z_OK && bytes.size() <= limit) {
-        stream.next_out = reinterpret_cast<Bytef*>(buffer);
-        stream.avail_out = sizeof buffer;
-        status = inflate(&stream, Z_NO_FLUSH);
-        bytes.append(buffer, sizeof buffer - stream.avail_out);
-    }
-    inflateEnd(&stream);
-    if (status != Z_STREAM_END || bytes.size() > limit) {
-        throw FileError("a piece of the page is cut or damaged");
-    }
-    return bytes;
-}
-
 std::string split_planes(std::string_view words, std::size_t width) {
     const std::size_t count = words.size() / width;
     std::string planes(count * width, '\0');
@@ -62,25 +39,8 @@ std::string split_planes(std::string_view words, std::size_t width) {
     return planes;
 }
 
-std::string join_planes(std::string_view planes, std::size_t width) {
-    const std::size_t count = planes.size() / width;
-    std::string words(count * width, '\0');
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t k = 0; k < width; ++k) {
-            words[i * width + k] = planes[k * count + i];
-        }
-    }
-    return words;
-}
-
 void difference_rows(std::string& bytes, std::size_t row) {
     for (std::size_t i = bytes.size(); i-- > row;) {
-        bytes[i] = static_cast<char>(bytes[i] ^ bytes[i - row]);
-    }
-}
-
-void restore_rows(std::string& bytes, std::size_t row) {
-    for (std::size_t i = row; i < bytes.size(); ++i) {
         bytes[i] = static_cast<char>(bytes[i] ^ bytes[i - row]);
     }
 }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "riprap/io/vtk_data.hpp"
+#include "riprap/view/page_template.hpp"
 
 namespace riprap::view {
 

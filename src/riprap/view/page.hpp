@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "riprap/view/page_content.hpp"
@@ -12,9 +10,6 @@ namespace riprap::view {
 
 /// The bytes of a page, at most, unless told otherwise.
 inline constexpr std::size_t default_budget = 60'000'000;
-
-/// The page without a run, as built from page/ and carried by the program; empty when it was built without Node.
-std::string_view page_template();
 
 /// The page of one run: everything in one text. @throws FileError when the program carries no page
 std::string page_of(const PageContent& content);

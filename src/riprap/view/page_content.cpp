@@ -12,7 +12,7 @@
 #include "riprap/view/chunk.hpp"
 #include "riprap/view/pack_bodies.hpp"
 #include "riprap/view/pack_water.hpp"
-#include "riprap/view/page.hpp"
+#include "riprap/view/page_template.hpp"
 #include "riprap/view/seen_boxes.hpp"
 #include "riprap/view/water_reader.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <exception>
 #include <string>
 #include <vector>
 
-#include "riprap/run/signals.hpp"
 #include "riprap/view/recorded_run.hpp"
+#include "riprap/view/stopped.hpp"
 
 namespace riprap::view {
 
@@ -24,24 +23,6 @@ struct PageContent {
     double water_error{0};             ///< bound on the error of a coordinate of a particle [m]
     std::size_t packed_bytes() const;
 };
-
-/// The user stopped the program in the middle of packing or drawing a run.
-class Stopped : public std::exception {
- public:
-    explicit Stopped(int signal) : signal_(signal) {}
-    const char* what() const noexcept override { return "stopped by a signal"; }
-    int signal() const { return signal_; }
-
- private:
-    int signal_;
-};
-
-/// @throws Stopped where the user has asked for it
-inline void heed(const run::StopRequest* stop) {
-    if (stop != nullptr && stop->signal() != 0) {
-        throw Stopped(stop->signal());
-    }
-}
 
 /// Reads and packs a run. `budget` bounds the bytes of the page [bytes]: where the water would take more, its
 /// coordinates are stored with coarser steps, and then fewer particles are shown. Nothing else gives way: a page whose

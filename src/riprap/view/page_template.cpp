@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/view/page.hpp"
+#include "riprap/view/page_template.hpp"
 
 // The assembler takes the file as it is: no compiler has to read hundreds of kilobytes of text. RIPRAP_PAGE_FILE is the
 // page as vite built it, or an empty file.

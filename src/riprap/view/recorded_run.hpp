@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Reads a run folder for looking at it. Takes what is there: a file that is missing, cut or not of Riprap is left out
-// with a notice, and everything else still works.
-
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -54,15 +51,12 @@ struct RecordedRun {
     std::string case_text, resolved_text;
     std::string summary_json, ticket_json;  ///< as written; empty when missing or no JSON
     Vec3 gravity;                           ///< at full strength, before it turns [m/s^2]
-    body::Gravity gravity_law;              ///< the same over time
+    body::Gravity gravity_law;              ///< gravity over time
     std::vector<GaugePlace> gauges;         ///< fixed in space
     StillWater still_water;                 ///< no basin: there is none
     bool is_planar{false};
     std::vector<std::string> warnings;  ///< of the run itself, about its results
     std::vector<std::string> notices;   ///< what could not be read, for the user
 };
-
-/// @throws FileError when the folder does not exist or nothing in it was written by a run
-RecordedRun read_run(const std::filesystem::path& folder);
 
 }  // namespace riprap::view

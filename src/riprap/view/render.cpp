@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/view/render.hpp"
 #include "riprap/core/printable.hpp"
+#include "riprap/view/read_run.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,6 +19,7 @@
 #include "riprap/io/own_file.hpp"
 #include "riprap/view/browser.hpp"
 #include "riprap/view/page.hpp"
+#include "riprap/view/stopped.hpp"
 
 namespace riprap::view {
 

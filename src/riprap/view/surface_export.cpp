@@ -9,7 +9,7 @@
 #include "riprap/io/vtp.hpp"
 #include "riprap/view/glb.hpp"
 #include "riprap/view/pack_bodies.hpp"
-#include "riprap/view/recorded_run.hpp"
+#include "riprap/view/read_run.hpp"
 #include "riprap/view/water_mesh.hpp"
 
 namespace riprap::view {

@@ -8,7 +8,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/io/vtp_reader.hpp"
-#include "riprap/view/page_content.hpp"
+#include "riprap/view/stopped.hpp"
 
 namespace riprap::view {
 

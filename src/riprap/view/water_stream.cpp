@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "riprap/core/error.hpp"
 #include "riprap/view/chunk.hpp"
 
 namespace riprap::view {
@@ -18,15 +17,11 @@ using Numbers = std::vector<std::uint16_t>;
 constexpr double largest_coordinate = 65535;
 constexpr double largest_value = 255;
 
-/// A bound on what a group unpacks to: a damaged stream may not fill the memory.
-constexpr std::size_t group_limit = std::size_t{1} << 31U;
-
 /// Prediction of a channel of a frame.
 struct Guess {
     int past{0};  ///< frames it looks back to: 0, 1, 2
     bool uses_neighbour{false};
     std::uint8_t code() const { return static_cast<std::uint8_t>(2 * past + (uses_neighbour ? 1 : 0)); }
-    static Guess of(std::uint8_t code) { return {code / 2, code % 2 != 0}; }
 };
 
 /// The frames before, as far as they hold the same particles.
@@ -49,10 +44,6 @@ std::uint16_t zigzag(std::uint16_t difference) {
     const auto signed_value = static_cast<std::int16_t>(difference);
     return static_cast<std::uint16_t>(static_cast<unsigned>(difference) << 1U ^ (signed_value < 0 ? 0xFFFFU : 0U));
 }
-std::uint16_t unzigzag(std::uint16_t code) {
-    return static_cast<std::uint16_t>(static_cast<unsigned>(code) >> 1U ^ ((code & 1U) != 0 ? 0xFFFFU : 0U));
-}
-
 Numbers residuals(const Numbers& numbers, const Past& past, const Guess& guess) {
     Numbers out(numbers.size());
     std::uint16_t neighbour = 0;
@@ -84,7 +75,7 @@ Coded code_channel(const Numbers& numbers, const Past& past) {
     Coded best;
     std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
     for (int code = 0; code < 2 * (past.frames + 1); ++code) {
-        const Guess guess = Guess::of(static_cast<std::uint8_t>(code));
+        const Guess guess{code / 2, code % 2 != 0};
         Numbers tried = residuals(numbers, past, guess);
         if (const std::uint64_t cost = bits(tried); cost < least) {
             least = cost;
@@ -103,47 +94,6 @@ void append_number(std::uint32_t number, std::string& bytes) {
     for (unsigned k = 0; k < 4; ++k) {
         bytes += static_cast<char>(number >> (8 * k) & 255U);
     }
-}
-
-/// Takes bytes from the front; refuses to go past the end.
-class Bytes {
- public:
-    explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
-    std::string_view take(std::size_t count) {
-        if (count > bytes_.size() - at_) {
-            throw FileError("a group of frames of water is cut");
-        }
-        at_ += count;
-        return bytes_.substr(at_ - count, count);
-    }
-    std::uint8_t byte() { return static_cast<std::uint8_t>(take(1)[0]); }
-    std::uint32_t number() {
-        std::uint32_t value = 0;
-        for (unsigned k = 0; k < 4; ++k) {
-            value |= static_cast<std::uint32_t>(byte()) << (8 * k);
-        }
-        return value;
-    }
-
- private:
-    std::string_view bytes_;
-    std::size_t at_{0};
-};
-
-Numbers restore_channel(const Guess& guess, std::string_view low, std::string_view high, const Past& past) {
-    if (guess.past > past.frames) {
-        throw FileError("a group of frames of water is damaged");
-    }
-    Numbers numbers(low.size());
-    std::uint16_t neighbour = 0;
-    for (std::size_t i = 0; i < low.size(); ++i) {
-        const auto code =
-            static_cast<std::uint16_t>(static_cast<std::uint8_t>(low[i]) | static_cast<std::uint8_t>(high[i]) << 8U);
-        const auto difference = static_cast<std::uint16_t>(unzigzag(code) + (guess.uses_neighbour ? neighbour : 0));
-        numbers[i] = static_cast<std::uint16_t>(difference + past.guess(guess.past, i));
-        neighbour = difference;
-    }
-    return numbers;
 }
 
 /// Returns how many frames before frame `f` of the group hold the same particles: at most 2.
@@ -193,12 +143,6 @@ WaterNumbers to_numbers(const WaterFrame& frame, const WaterScale& scale) {
     return numbers;
 }
 
-Vec3 position_of(const WaterNumbers& numbers, std::size_t i, const WaterScale& scale) {
-    return scale.origin + scale.step * Vec3{static_cast<double>(numbers.channel[0][i]),
-                                            static_cast<double>(numbers.channel[1][i]),
-                                            static_cast<double>(numbers.channel[2][i])};
-}
-
 // A group: how many frames; of each frame how many particles and how many frames before hold the same; then, channel by
 // channel, the guesses of all frames, the low bytes of all residuals, the high bytes. What is alike stands together:
 // zlib tells the bytes of one stretch apart by one code.
@@ -225,36 +169,6 @@ std::string encode_group(std::span<const WaterNumbers> frames) {
         bytes += low + high;
     }
     return compress(bytes, true);
-}
-
-std::vector<WaterNumbers> decode_group(std::string_view packed) {
-    const std::string text = decompress(packed, group_limit);
-    Bytes bytes(text);
-    const std::uint32_t frame_count = bytes.number();
-    std::vector<WaterNumbers> frames;
-    std::vector<std::size_t> counts;
-    std::vector<int> depths;
-    std::size_t all = 0;
-    for (std::size_t f = 0; f < frame_count; ++f) {
-        counts.push_back(bytes.number());
-        depths.push_back(bytes.byte());
-        all += counts.back();
-        for (std::size_t back = 1; back <= static_cast<std::size_t>(depths.back()); ++back) {
-            if (back > std::min<std::size_t>(2, f) || counts[f - back] != counts[f]) {
-                throw FileError("a group of frames of water is damaged");
-            }
-        }
-    }
-    frames.resize(counts.size());
-    for (std::size_t c = 0; c < water_channels; ++c) {
-        const std::string_view guesses = bytes.take(frame_count), low = bytes.take(all), high = bytes.take(all);
-        for (std::size_t f = 0, at = 0; f < frame_count; at += counts[f], ++f) {
-            frames[f].channel[c] =
-                restore_channel(Guess::of(static_cast<std::uint8_t>(guesses[f])), low.substr(at, counts[f]),
-                                high.substr(at, counts[f]), past_of(frames, f, c, depths[f]));
-        }
-    }
-    return frames;
 }
 
 }  // namespace riprap::view

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "riprap/core/vec3.hpp"
@@ -48,13 +47,9 @@ struct WaterNumbers {
 };
 
 WaterNumbers to_numbers(const WaterFrame& frame, const WaterScale& scale);
-Vec3 position_of(const WaterNumbers& numbers, std::size_t i, const WaterScale& scale);  ///< [m]
 
 /// One group of frames. A frame whose particles are not those of the frame before is stored without its past.
 std::string encode_group(std::span<const WaterNumbers> frames);
-
-/// The channels again; ids are not stored. @throws FileError when the bytes are not a group
-std::vector<WaterNumbers> decode_group(std::string_view packed);
 
 /// The largest step that keeps 2^16 numbers for each coordinate within `extent` [m], or `wanted` where that is larger.
 double coordinate_step(double extent, double wanted);

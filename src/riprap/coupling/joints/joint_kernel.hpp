@@ -34,7 +34,7 @@ template <class Real>
 struct JointGaps {
     std::uint32_t bits;                           ///< those narrow enough to share a joint; 0: nothing else is there
     std::uint32_t open;                           ///< those of them with room between, which brings them together
-    WideMask<Real, fluid::lane_count> are_there;  ///< the same
+    WideMask<Real, fluid::lane_count> are_there;  ///< `bits` as a mask
     std::array<Sixteen<Real>, 3> across;          ///< n_ij, unit
     Sixteen<Real> width;                          ///< negative where they overlap [m]
 };

@@ -15,8 +15,8 @@ struct JointWater {
     Vec3 rim{};            ///< t, the part of G_own + G_others along the face [1/m]
     double covered{0};     ///< -t . G_water/t^2, how much of what is open along the face is water; no less than 0
     double dry_share{1};   ///< u, how much of the room in the joint water has left, 0 to 1
-    double felt{0};        ///< what a wall feels of the water there [Pa]
-    double weight{0};      ///< of that in means [m^(D-2)]; 0 = nothing is felt
+    double felt{0};        ///< pressure on the wall there, f p [Pa]
+    double weight{0};      ///< omega, of `felt` in means [m^(D-2)]; 0 = no water
     bool is_first{false};  ///< of the first layer of its solid
 };
 

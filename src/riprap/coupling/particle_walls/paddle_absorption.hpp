@@ -44,7 +44,7 @@ struct PaddleAbsorption {
     std::optional<wave::IrregularWave> sea;
     double sea_period{0};     ///< of its peak [s]
     wave::AbsorptionLaw law;  ///< of a sea; see prepare_sea
-    wave::OwnSurface own;     ///< likewise
+    wave::OwnSurface own;     ///< surface of the sea that the paddle itself makes
 };
 
 /// Distance of the gauge from the face, in spacings: outside of the support of the face's own layers.

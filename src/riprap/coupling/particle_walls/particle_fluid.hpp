@@ -42,7 +42,7 @@ struct ParticleFluid {
     double depth{0};                 ///< of the water at the start [m]
     double filled_volume{0};         ///< [m^3]; in 2D [m^2]
     double region_volume{0};         ///< room that its regions have outside of solids [m^3]; in 2D [m^2]
-    double reached_volume{0};        ///< of that room, what is wide enough for particles; in the same unit
+    double reached_volume{0};        ///< part of region_volume that is wide enough for particles
 
     std::size_t bytes() const { return samples.bytes(); }
     const fluid::ParticleSettings& settings() const { return fluid::base_of(scheme); }

@@ -131,7 +131,8 @@ inline constexpr GaugeKind wall_pressure_gauge{
     GaugeExtent::face,
     reading::wall_pressure,
     "on the face of a body nearest to the point, a spacing away at most: force over area in the last step, as a "
-    "transducer in it reads it; it stays with the body, reads 0 while covered and nothing before the first step",
+    "transducer in it reads it; the gauge stays with the body. It reads 0 while another body covers it, and has no "
+    "value before the first step",
     [](const Gauge& /*gauge*/, const WaterReader& water) -> GaugeReading { return {water.wall_pressure()}; }};
 
 inline constexpr GaugeKind overhang_gauge{

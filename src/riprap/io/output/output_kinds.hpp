@@ -71,6 +71,13 @@ KeyList<OutputChoices> output_keys();
 void require_tables(const OutputChoices& outputs, const std::filesystem::path& folder, const sim::Model& model,
                     std::span<const std::uint64_t> lengths);
 
+/// Renames tables that an older version began with other columns, ledger.csv to ledger.older.csv, and sets their
+/// lengths to 0, so that new ones begin. A checkpoint has to follow at once: until then the run begins here again.
+/// @returns the new names @throws FileError
+std::vector<std::filesystem::path> set_older_tables_aside(const OutputChoices& outputs,
+                                                          const std::filesystem::path& folder, const sim::Model& model,
+                                                          std::span<std::uint64_t> lengths);
+
 /// Every quantity of the scene except time that the methods of a case have, vectors by component: the columns of
 /// ledger.csv.
 std::vector<sim::Column> scene_columns(const sim::Model& model);

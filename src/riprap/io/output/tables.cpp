@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/io/output/output_kinds.hpp"
 
+#include <fmt/format.h>
+
 #include "riprap/io/csv.hpp"
+#include "riprap/io/file_descriptor.hpp"
 #include "riprap/io/scene_frame.hpp"
 #include "riprap/sim/quantity.hpp"
 
@@ -15,6 +18,30 @@ std::vector<CsvColumn> headings_of(const std::vector<sim::Column>& columns) {
         headings.push_back({column.name, column.unit});
     }
     return headings;
+}
+
+/// Renames a table that has other columns; returns its new name. Empty where it has these, or is missing altogether.
+std::filesystem::path set_aside(const std::filesystem::path& file, std::uint64_t length,
+                                const std::vector<CsvColumn>& columns) {
+    const auto name = [&file](int number) {
+        return file.parent_path() /
+               fmt::format("{}.older{}.csv", file.stem().string(), number > 1 ? fmt::format("-{}", number) : "");
+    };
+    int next = 1;
+    while (std::filesystem::exists(name(next))) {
+        ++next;
+    }
+    std::error_code error;
+    const bool is_there = std::filesystem::is_regular_file(file, error);
+    if (is_there && !has_heading(file, columns)) {
+        std::filesystem::rename(file, name(next), error);
+        if (error) {
+            throw file_error("set aside", file, error.value());
+        }
+        return name(next);
+    }
+    const bool has_begun_anew = !is_there || std::filesystem::file_size(file, error) < length;
+    return next > 1 && has_begun_anew ? name(next - 1) : std::filesystem::path();  // stopped before its checkpoint
 }
 
 /// A table of columns after the time.
@@ -96,6 +123,27 @@ void require_tables(const OutputChoices& outputs, const std::filesystem::path& f
             }
         }
     });
+}
+
+std::vector<std::filesystem::path> set_older_tables_aside(const OutputChoices& outputs,
+                                                          const std::filesystem::path& folder, const sim::Model& model,
+                                                          std::span<std::uint64_t> lengths) {
+    std::vector<std::filesystem::path> aside;
+    std::size_t table = 0;
+    for_each_output(outputs, [&]<class Kind>(const Kind&) {
+        if constexpr (Kind::has_table) {
+            const std::size_t place = table++;
+            const std::filesystem::path file = folder / Kind::files.front();
+            if (place < lengths.size() && lengths[place] > 0) {
+                const std::filesystem::path older = set_aside(file, lengths[place], headings_of(Kind::columns(model)));
+                if (!older.empty()) {
+                    lengths[place] = 0;
+                    aside.push_back(older);
+                }
+            }
+        }
+    });
+    return aside;
 }
 
 std::vector<sim::Column> scene_columns(const sim::Model& model) {

@@ -19,7 +19,7 @@ using ShapePieces = std::optional<std::vector<geometry::Polyhedron>>;
 enum class ShapeRole {
     solid,  ///< any
     plane,  ///< those that do not follow forces; without volume
-    ground  ///< likewise; a surface with solid under it
+    ground  ///< those that do not follow forces; a surface with solid under it
 };
 
 /// Kind of a shape, one of shape_kinds(). `shape = { word = ... }`, its checks, schema and manual are made from the

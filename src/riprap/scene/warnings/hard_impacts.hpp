@@ -32,7 +32,7 @@ std::vector<HardImpact> find_hard_impacts(const sim::Model& model, const sim::St
 /// First obstacle on the way of a body.
 struct Meeting {
     BodyId other;                                              ///< invalid where there is nothing
-    std::int32_t part{-1};                                     ///< of it
+    std::int32_t part{-1};                                     ///< of `other`
     double distance{std::numeric_limits<double>::infinity()};  ///< from the body's centre of mass [m]
 };
 

@@ -11,7 +11,6 @@
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/key.hpp"
-#include "riprap/linear/cholmod.hpp"
 #include "riprap/solid/affine/block_books.hpp"
 #include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/affine/dda_keys.hpp"
@@ -29,11 +28,8 @@ MethodKeys<ImplicitDdaSettings> ImplicitDdaSettings::keys() {
     using Engine = implicit_dda::Settings;
     using implicit_dda::Solver;
     using implicit_dda::SolveSettings;
-    std::vector<Word<Solver>> solvers{
+    const std::vector<Word<Solver>> solvers{
         {"pcg_jacobi", Solver::pcg_jacobi}, {"pcg_cholesky", Solver::pcg_cholesky}, {"sor", Solver::sor}};
-    if (linear::has_cholmod()) {
-        solvers.push_back({"cholmod", Solver::cholmod});
-    }
     const KeyList<SolveSettings> solve_keys{
         choice(&SolveSettings::solver, "solver", solvers,
                "Solver of the equations: conjugate gradients by preconditioner, or over-relaxation."),

@@ -18,8 +18,7 @@ namespace riprap::solid::implicit_dda {
 enum class Solver : std::uint8_t {
     pcg_jacobi,    ///< conjugate gradients, diagonal blocks as preconditioner
     pcg_cholesky,  ///< conjugate gradients, incomplete Cholesky factors
-    sor,           ///< block successive over-relaxation, the source's solver [Ding2021, eq. 4.120]
-    cholmod        ///< factors of CHOLMOD, in builds that have it
+    sor            ///< block successive over-relaxation, the source's solver [Ding2021, eq. 4.120]
 };
 
 struct SolveSettings {

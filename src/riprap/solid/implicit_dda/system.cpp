@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "riprap/core/index.hpp"
-#include "riprap/linear/cholmod.hpp"
 #include "riprap/linear/small_cholesky.hpp"
 #include "riprap/linear/vector_ops.hpp"
 
@@ -68,9 +67,6 @@ linear::SolveReport solve(const SolveSettings& settings, Equations& equations) {
     equations.singular_row = -1;
     if (settings.solver == Solver::sor) {
         return solve_sor(settings, equations);
-    }
-    if (settings.solver == Solver::cholmod) {
-        return linear::solve_cholmod(equations.matrix, equations.right, equations.solution);
     }
     const linear::PcgSettings pcg{settings.tolerance, 0, settings.max_iterations};
     const bool is_cholesky = settings.solver == Solver::pcg_cholesky;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/view/recorded_run.hpp"
+#include "riprap/view/read_run.hpp"
 
 #include <fmt/format.h>
 
