@@ -9,7 +9,7 @@
 
 namespace riprap::fluid {
 
-/// Makes the scheme of the settings at hand, which have to outlive it.
+/// Makes the scheme of the settings at hand.
 inline std::unique_ptr<ParticleScheme> make_scheme(const SchemeSettings& settings) {
     return std::visit([](const auto& own) { return make_scheme(own); }, settings);
 }

@@ -60,7 +60,7 @@ struct MpsSettings : ParticleSettings {
     MpsLattice lattice() const;
 };
 
-/// Makes the scheme of these settings, which have to outlive it.
+/// Makes the scheme of these settings.
 std::unique_ptr<ParticleScheme> make_scheme(const MpsSettings& settings);
 
 }  // namespace riprap::fluid

@@ -49,7 +49,7 @@ struct SphSettings : ParticleSettings {
     bool is_on_device() const { return runs_on == RunsOn::device && scheme == SphScheme::delta_sph && !is_plain; }
 };
 
-/// Makes the scheme of these settings, which have to outlive it.
+/// Makes the scheme of these settings.
 std::unique_ptr<ParticleScheme> make_scheme(const SphSettings& settings);
 
 }  // namespace riprap::fluid

@@ -56,7 +56,7 @@ struct WcmpsSettings : ParticleSettings {
     MpsLattice lattice() const;
 };
 
-/// Makes the scheme of these settings, which have to outlive it.
+/// Makes the scheme of these settings.
 std::unique_ptr<ParticleScheme> make_scheme(const WcmpsSettings& settings);
 
 // The state equation in the concentration x = n/n_0 = rho/rho_0 [Mellado2021, eq. 5.17]:

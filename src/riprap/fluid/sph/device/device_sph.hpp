@@ -10,7 +10,7 @@
 namespace riprap::fluid {
 
 /// Makes delta_sph with the loops of a device: on the GPU in use where the program was built for one and finds it, else
-/// on the host, with the same bits. The settings have to outlive it.
+/// on the host, with the same bits.
 std::unique_ptr<ParticleScheme> make_device_scheme(const SphSettings& settings);
 /// The same on the host, wherever there is a device.
 std::unique_ptr<ParticleScheme> make_device_scheme_on_host(const SphSettings& settings);
