@@ -16,7 +16,7 @@ namespace {
 
 using namespace riprap;
 
-/// Validates and writes one page with every result and plot into a folder.
+/// Validates and writes one page with every result into a folder.
 int validate_with_report(const validation::ValidateOptions& options, const std::filesystem::path& folder) {
     validation::ValidateOptions asked = options;
     asked.results = folder.string();

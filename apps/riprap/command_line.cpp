@@ -158,9 +158,9 @@ void add_validate(CLI::App& app, Action& action, const Words& words, const Built
     command->add_option("SUITE[/CASE]", options->selection, "What to run (default: every suite)");
     command->add_flag("--full", options->is_full, "Also long cases, and every case in its long version");
     command->add_flag("--json", options->as_json, "As JSON");
-    command->add_option("--results", options->results, "Folder for plots (default: validation-results)");
+    command->add_option("--results", options->results, "Folder for the runs (default: validation-results)");
     auto report = std::make_shared<std::string>();
-    command->add_option("--report", *report, "Write one page with every result and plot into this folder");
+    command->add_option("--report", *report, "Write one page with every result into this folder");
     auto threads = std::make_shared<int>(0);
     command->add_option("--threads", *threads, "Threads (default: OMP_NUM_THREADS, or else all)")
         ->check(CLI::Range(1, max_threads));

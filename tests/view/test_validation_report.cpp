@@ -29,9 +29,6 @@ constexpr const char* results = R"({"suite": "all", "results": [
 class AReport : public ::testing::Test {
  protected:
     AReport() {
-        write("report/water/leak_level.svg", "<?xml version=\"1.0\"?>\n<svg><text>level</text></svg>");
-        write("report/zhao/incline_speed.svg", "<svg><text>speed</text></svg>");
-        write("report/zhao/sketch.svg", "<svg><text>sketch</text></svg>");
         write("suites/water/README.md", "Assumed: no <air>");
         write("suites/zhao/incline/README.md", "Choices: 30 degrees");
         text_ = io::read_file(write_validation_report(folder_ / "report", results, folder_ / "suites"), 1U << 20U);
@@ -69,15 +66,11 @@ TEST_F(AReport, SaysWhenWithWhatAndOnWhatItWasMadeAndWhatItsVerdictsMean) {
     EXPECT_LT(at("<dt><b class=under_specified>under-specified</b></dt>"), at("<table"));
 }
 
-TEST_F(AReport, ShowsEveryCaseWithItsOwnPlotsAndWords) {
+TEST_F(AReport, ShowsEveryCaseWithItsOwnWords) {
     EXPECT_LT(at("<h2>zhao</h2>"), at("<h3 id=\"zhao/incline\">"));
-    EXPECT_LT(at("<h3 id=\"zhao/incline\">"), at("<text>speed</text>"));
-    EXPECT_LT(at("<text>speed</text>"), at("Choices: 30 degrees"));
-    EXPECT_LT(at("Choices: 30 degrees"), at("<text>sketch</text>"));  // of no case: at the end of its suite
-    EXPECT_LT(at("<text>sketch</text>"), at("<h2>water</h2>"));
+    EXPECT_LT(at("<h3 id=\"zhao/incline\">"), at("Choices: 30 degrees"));
+    EXPECT_LT(at("Choices: 30 degrees"), at("<h2>water</h2>"));
     EXPECT_LT(at("Assumed: no &lt;air&gt;"), at("<h3 id=\"water/leak\">"));
-    EXPECT_LT(at("<h3 id=\"water/leak\">"), at("<figure><svg><text>level</text></svg></figure>"));
-    EXPECT_THAT(text_, Not(HasSubstr("<?xml")));
 }
 
 TEST_F(AReport, SaysWhereMoreCasesAreToCome) {

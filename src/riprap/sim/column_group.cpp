@@ -53,14 +53,14 @@ std::optional<Bracketed> split_brackets(std::string_view text) {
                                                                                    : std::nullopt;
 }
 
-/// The largest value below which, within `width`, at least `count` of them lie, itself one of them; NaN where there is
-/// none.
+/// The first value, from the median on, above which the next `width` holds fewer than `count` of them.
 double front_of(std::vector<double> values, double count, double width) {
     std::sort(values.begin(), values.end());
-    for (auto last = values.end(); last != values.begin(); --last) {
-        const double front = *(last - 1);
-        if (static_cast<double>(last - std::lower_bound(values.begin(), last, front - width)) >= count) {
-            return front;
+    auto front = values.begin() + std::ssize(values) / 2;
+    for (; front != values.end(); ++front) {
+        const auto next = std::upper_bound(front, values.end(), *front);
+        if (static_cast<double>(std::upper_bound(next, values.end(), *front + width) - next) < count) {
+            return *front;
         }
     }
     return missing;

@@ -14,8 +14,8 @@
 namespace riprap::sim {
 
 /// Words in brackets behind a name, and how the numbers of all are taken together. "above" is followed by a level:
-/// how many of them are above it. "front" is followed by a number and a width: the largest value below which, within
-/// that width, so many of them lie, how far a heap reaches without what rolled off it.
+/// how many of them are above it. "front" is followed by a number and a width: the first value, from the
+/// median on, above which the next width holds fewer of them, how far a heap reaches without what rolled off it.
 inline constexpr std::array<std::string_view, 6> group_words{"mean", "sum", "min", "max", "above", "front"};
 
 /// Columns of one quantity and the number that they make together.

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr std::size_t text_limit = std::size_t{64} << 20U;  // bytes of a plot or a README
+constexpr std::size_t text_limit = std::size_t{64} << 20U;  // bytes of a README
 
 constexpr std::string_view style = R"(
 :root { color-scheme: light dark; }
@@ -39,8 +39,6 @@ dl { display: grid; grid-template-columns: auto 1fr; gap: 2px 12px; font-size: 1
 table.cross { width: auto; } td.cell.right { color: #1f8a5b; } td.cell.refused { color: #888; }
 td.cell.wrong { background: #c8410f; color: #fff; }
 h3 { margin: 28px 0 6px; }
-.plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(440px, 1fr)); gap: 12px; margin: 12px 0; }
-.plots svg { width: 100%; height: auto; background: #fff; border-radius: 4px; }
 details table { width: auto; } details p, details li { max-width: 90ch; } summary { cursor: pointer; }
 code { font: 0.9em ui-monospace, "DejaVu Sans Mono", monospace; }
 pre { white-space: pre-wrap; font: 13px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; }
@@ -106,36 +104,6 @@ Named<Cases> by_suite(const Json& document) {
         entry_of(cases, names_suite ? name.substr(slash + 1) : name).push_back(result);
     }
     return suites;
-}
-
-/// The plots of a suite, each with the case whose name its own begins with; the longest where several do.
-std::map<std::string, std::vector<fs::path>> plots_by_case(const fs::path& folder, const Cases& cases) {
-    std::map<std::string, std::vector<fs::path>> plots;
-    std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        if (entry.path().extension() == ".svg") {
-            std::string owner;  // none: shown at the end of the suite
-            for (const auto& [name, results] : cases) {
-                const bool begins = entry.path().stem().string().starts_with(name);
-                owner = begins && name.size() > owner.size() ? name : owner;
-            }
-            plots[owner].push_back(entry.path());
-        }
-    }
-    for (auto& [name, files] : plots) {
-        std::sort(files.begin(), files.end());
-    }
-    return plots;
-}
-
-std::string figures(const std::vector<fs::path>& files) {
-    std::string text;
-    for (const fs::path& file : files) {
-        std::string svg = io::read_file(file, text_limit);
-        svg.erase(0, std::min(svg.find("<svg"), svg.size()));  // what stands before it is for files of their own
-        text += fmt::format("<figure>{}</figure>\n", svg);
-    }
-    return text.empty() ? "" : "<div class=plots>\n" + text + "</div>\n";
 }
 
 std::string folded(const std::string& heading, const fs::path& readme) {
@@ -217,7 +185,7 @@ std::string overview(const Named<Cases>& suites) {
 }
 
 std::string section(const std::string& suite, const std::string& name, const std::vector<Json>& results,
-                    const std::vector<fs::path>& plots, const fs::path& readme) {
+                    const fs::path& readme) {
     std::string text = fmt::format(
         "<h3 id=\"{0}/{1}\">{0}/{1}</h3>\n<table><tr><th>quantity</th><th>paper</th><th>exact</th><th>ours</th>"
         "<th>band</th><th>unit</th><th>verdict</th><th>note</th></tr>\n",
@@ -230,7 +198,7 @@ std::string section(const std::string& suite, const std::string& name, const std
         const bool is_account = !rows.empty() && kind == std::string_view("bookkeeping");
         text += (is_account ? "<tr><th colspan=8>bookkeeping</th></tr>\n" : "") + rows;
     }
-    return text + "</table>\n" + figures(plots) + folded("source, choices, bands", readme);
+    return text + "</table>\n" + folded("source, choices, bands", readme);
 }
 
 }  // namespace
@@ -252,11 +220,9 @@ fs::path write_validation_report(const fs::path& folder, const std::string& resu
         page += fmt::format("<h2>{}</h2>\n", html(suite)) +
                 folded("sources, assumptions, and what is not reached", words / suite / "README.md") +
                 (suite == "cross" ? cross_table(document.value("cells", Json::array())) : "");
-        auto plots = plots_by_case(folder / suite, cases);
         for (const auto& [name, results] : cases) {
-            page += section(suite, name, results, plots[name], words / suite / name / "README.md");
+            page += section(suite, name, results, words / suite / name / "README.md");
         }
-        page += figures(plots[""]);
     }
     page += "</html>\n";
     io::make_folder(folder);

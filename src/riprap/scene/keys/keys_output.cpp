@@ -206,8 +206,9 @@ const Table& expect_table() {
           "\"block.position.x\". \"block[mean].position.x\" is the mean over all blocks of one entry, "
           "\"row,top[mean].position.x\" over those of several, \"disc[mean]\" over "
           "the gauges of a profile; likewise sum, min and max. \"stone[above 0.33].displacement.y\" is the number of "
-          "those above a level, in SI; \"grain[front 7 0.005].position.x\" the run-out of a heap: the largest value "
-          "below which, within the width, so many of them lie. With a curve along = \"place\" the name of a profile.",
+          "those above a level, in SI; \"grain[front 7 0.005].position.x\" the run-out of a heap: the first value, "
+          "from the median on, above which the next width holds fewer. With a curve along = \"place\" the name of a "
+          "profile.",
           {},
           true},
          {"reduce",
