@@ -6,6 +6,7 @@
 #include "few_shapes.hpp"
 #include "riprap/contact/narrowphase/distance_potential_plain.hpp"
 #include "riprap/core/parallel_cuda.hpp"
+#include "riprap/geometry/sharp_edges.hpp"
 #include "seconds_of.hpp"
 
 namespace selftest {
@@ -62,21 +63,26 @@ class DeviceShape {
 };
 
 ConvexView host_view(const FlatShape& s) {
-    return {static_cast<std::int32_t>(s.vertex_x.size()),
-            static_cast<std::int32_t>(s.offset.size()),
-            s.vertex_x.data(),
-            s.vertex_y.data(),
-            s.vertex_z.data(),
-            s.normal_x.data(),
-            s.normal_y.data(),
-            s.normal_z.data(),
-            s.offset.data(),
-            s.fdem_weight.data(),
-            s.face_start.data(),
-            s.face_vertex.data(),
-            s.is_internal.data(),
-            s.inscribed_radius,
-            s.circumradius};
+    ConvexView view{static_cast<std::int32_t>(s.vertex_x.size()),
+                    static_cast<std::int32_t>(s.offset.size()),
+                    s.vertex_x.data(),
+                    s.vertex_y.data(),
+                    s.vertex_z.data(),
+                    s.normal_x.data(),
+                    s.normal_y.data(),
+                    s.normal_z.data(),
+                    s.offset.data(),
+                    s.fdem_weight.data(),
+                    s.face_start.data(),
+                    s.face_vertex.data(),
+                    s.is_internal.data(),
+                    s.inscribed_radius,
+                    s.circumradius,
+                    false,
+                    false};
+    view.is_planar = riprap::geometry::is_planar_prism(view);
+    view.is_sharp = riprap::geometry::has_sharp_edges(view);
+    return view;
 }
 
 /// Two shapes at two poses.

@@ -63,10 +63,12 @@ TEST(StepScene, WaterFeelsNoSampleOfBlocksThatStandFarAway) {
     const Taken far = take(scene, 2), none = take(rubble_in_basin(Rubble::nowhere, 0.5, size), 2);
     EXPECT_EQ(far.problem, "");
     const coupling::SampleSet& samples = scene.model.particles()->samples;
+    std::int64_t of_blocks = 0;
     for (const std::int32_t i : far.state.coupling.near_samples) {
         const auto body = static_cast<std::size_t>(samples.body[static_cast<std::size_t>(i)].value);
-        ASSERT_EQ(scene.model.bodies.drive[body], body::Drive::fixed);
+        of_blocks += scene.model.bodies.drive[body] != body::Drive::fixed ? 1 : 0;
     }
+    ASSERT_LE(of_blocks, 3);  // samples go in fours: the last ones of the basin with the first ones of the next body
     ASSERT_EQ(far.state.fluid.size(), none.state.fluid.size());
     for (std::size_t i = 0; i < none.state.fluid.position.size(); ++i) {
         ASSERT_LT(norm(far.state.fluid.position[i] - none.state.fluid.position[i]), 1e-7);
