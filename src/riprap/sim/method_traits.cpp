@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
-#include <variant>
+#include <utility>
 
 #include "riprap/sim/methods.hpp"
 #include "riprap/sim/model.hpp"
@@ -25,26 +24,6 @@ auto of_fluid(const Model& model, const Ask& ask) {
     return Fluids::visit(model.fluid, [&ask]<class Fluid>(const typename Fluid::Settings& settings) {
         return ask(Fluid::traits, settings);
     });
-}
-
-/// Returns the step or the elasticity in the settings of a solid method; null where they have none.
-template <class Choice>
-auto step_in(Choice& solid) -> decltype(step_of(solid)) {
-    return std::visit(
-        [](auto& settings) -> decltype(step_of(solid)) {
-            constexpr auto step = std::remove_cvref_t<decltype(settings)>::Method::traits.step;
-            return step == nullptr ? nullptr : &(settings.*step);
-        },
-        solid);
-}
-template <class Choice>
-auto elasticity_in(Choice& solid) -> decltype(elasticity_of(solid)) {
-    return std::visit(
-        [](auto& settings) -> decltype(elasticity_of(solid)) {
-            constexpr auto elasticity = std::remove_cvref_t<decltype(settings)>::Method::traits.elasticity;
-            return elasticity == nullptr ? nullptr : &(settings.*elasticity);
-        },
-        solid);
 }
 
 }  // namespace
@@ -123,11 +102,22 @@ bool tells_depth(const Model& model) {
     return of_solid(model.solid, [](const auto& traits, const auto&) { return traits.tells_depth; });
 }
 
-const double* step_of(const SolidSettings& solid) { return step_in(solid); }
-double* step_of(SolidSettings& solid) { return step_in(solid); }
+const double* step_of(const SolidSettings& solid) {
+    return Solids::visit(solid, []<class Solid>(const typename Solid::Settings& settings) -> const double* {
+        return Solid::traits.step == nullptr ? nullptr : &(settings.*Solid::traits.step);
+    });
+}
+double* step_of(SolidSettings& solid) { return const_cast<double*>(step_of(std::as_const(solid))); }
 
-const solid::affine::Elasticity* elasticity_of(const SolidSettings& solid) { return elasticity_in(solid); }
-solid::affine::Elasticity* elasticity_of(SolidSettings& solid) { return elasticity_in(solid); }
+const solid::affine::Elasticity* elasticity_of(const SolidSettings& solid) {
+    using Elasticity = solid::affine::Elasticity;
+    return Solids::visit(solid, []<class Solid>(const typename Solid::Settings& settings) -> const Elasticity* {
+        return Solid::traits.elasticity == nullptr ? nullptr : &(settings.*Solid::traits.elasticity);
+    });
+}
+solid::affine::Elasticity* elasticity_of(SolidSettings& solid) {
+    return const_cast<solid::affine::Elasticity*>(elasticity_of(std::as_const(solid)));
+}
 
 double max_speed(const Model& model) {
     return of_solid(model.solid, [](const auto& traits, const auto& settings) { return traits.max_speed(settings); });
