@@ -299,6 +299,36 @@ TEST(SampleShapes, a_corner_is_as_full_as_its_walls_wherever_its_rows_meet) {
     }
 }
 
+TEST(SampleShapes, samples_in_three_walls_and_none_in_two_lie_in_a_vertex) {
+    Scene scene;
+    scene.add_half_space({0, 0, 1}, 0);
+    scene.add_half_space({1, 0, 0}, 0);
+    scene.add_half_space({0, 1, 0}, 0);
+    const SampleSet samples = sample(scene, settings_of({0, 0, 0}, {1, 1, 1}));
+    int found = 0;
+    for (std::size_t i = 0; i < samples.anchor.size(); ++i) {
+        const auto body = static_cast<std::size_t>(samples.body[i].value);
+        const Vec3 x = to_world({scene.state.position[body], scene.state.orientation[body]}, samples.anchor[i]);
+        const bool is_in_all = x.x < 0 && x.y < 0 && x.z < 0;
+        EXPECT_EQ(samples.is_in_vertex[i] != 0, is_in_all) << x.x << ' ' << x.y << ' ' << x.z;
+        found += is_in_all ? 1 : 0;
+    }
+    EXPECT_GT(found, 0);
+}
+
+TEST(SampleShapes, samples_in_two_walls_of_a_plane_lie_in_a_vertex) {
+    Scene scene;
+    scene.bodies.is_planar = true;
+    scene.add_half_space({0, 1, 0}, 0);
+    scene.add_half_space({1, 0, 0}, 0);
+    const SampleSet samples = sample(scene, settings_of({0, 0, 0}, {1, 1, 0}, 2));
+    for (std::size_t i = 0; i < samples.anchor.size(); ++i) {
+        const auto body = static_cast<std::size_t>(samples.body[i].value);
+        const Vec3 x = to_world({scene.state.position[body], scene.state.orientation[body]}, samples.anchor[i]);
+        EXPECT_EQ(samples.is_in_vertex[i] != 0, x.x < 0 && x.y < 0) << x.x << ' ' << x.y;
+    }
+}
+
 TEST(SampleShapes, wall_and_water_together_make_the_kernel_sum_of_a_full_lattice) {
     // Water on a lattice beside an inner corner of the tank: every kernel sum equals that far from any wall.
     Scene scene;

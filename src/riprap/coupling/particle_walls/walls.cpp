@@ -71,12 +71,15 @@ void place_areas(const SampleView& samples, const body::Motion& motion, double s
     });
 }
 
-/// Fills the normals of the faces that samples lie under.
+/// Fills the normals of the faces that samples lie under, as BoundaryParticles say.
 void place_normals(const SampleView& samples, const body::Motion& motion, fluid::BoundaryParticles& walls) {
     walls.normal.resize(at(samples.size()));
     parallel::for_each(samples.size(), [&](std::int64_t index) {
         const auto i = at(index);
         walls.normal[i] = rotate(motion.pose[at(samples.body(i).value)].orientation, samples.normal(i));
+        if (samples.is_in_vertex(i) != 0) {
+            walls.normal[i] *= fluid::length_in_vertex;
+        }
     });
 }
 

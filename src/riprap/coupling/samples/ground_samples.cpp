@@ -146,6 +146,7 @@ void sample_ground(const body::Ground& ground, const Pose& pose, const SampleBox
             samples.depth.push_back(std::max(0.0, one.depth));
             samples.volume.push_back(one.share * volume);
             samples.is_slippery.push_back(is_slippery ? 1 : 0);
+            samples.is_in_vertex.push_back(0);  // share_seams finds them
         }
     }
     if (samples.size() > settings.limit) {

@@ -244,7 +244,7 @@ void MovingSeams::share(const SampleView& samples, fluid::BoundaryParticles& par
         lead(particles.velocity[i], of_other.velocity);
         lead(particles.acceleration[i], of_other.acceleration);
         if (i < particles.normal.size()) {
-            particles.normal[i] *= std::sqrt(1 - within);
+            particles.normal[i] = std::sqrt(1 - within) * normal;  // in a vertex too
         }
     });
 }

@@ -23,6 +23,8 @@ struct SampleSet {
     Column<double> depth;              ///< below the surface, positive inside [m]
     Column<double> volume;             ///< [m^3]; in 2D [m^2]
     Column<std::uint8_t> is_slippery;  ///< free slip
+    /// Lies in so many still bodies that no way is along the faces of all of them: three in space, two in a plane.
+    Column<std::uint8_t> is_in_vertex;
 
     std::int64_t size() const { return static_cast<std::int64_t>(anchor.size()); }
     /// Calls work(column) with each column.
@@ -34,13 +36,15 @@ struct SampleSet {
         work(depth);
         work(volume);
         work(is_slippery);
+        work(is_in_vertex);
     }
     /// Makes it small, once it is complete: most of its values are those of other samples too.
     void pack() {
         for_each_column([](auto& column) { column.pack(); });
     }
     std::size_t bytes() const {
-        return body.bytes() + anchor.bytes() + normal.bytes() + depth.bytes() + volume.bytes() + is_slippery.bytes();
+        return body.bytes() + anchor.bytes() + normal.bytes() + depth.bytes() + volume.bytes() + is_slippery.bytes() +
+               is_in_vertex.bytes();
     }
 };
 
@@ -66,6 +70,7 @@ class SampleView {
     double depth(std::size_t i) const { return all_->depth[number(i)]; }
     double volume(std::size_t i) const { return all_->volume[number(i)]; }
     std::uint8_t is_slippery(std::size_t i) const { return all_->is_slippery[number(i)]; }
+    std::uint8_t is_in_vertex(std::size_t i) const { return all_->is_in_vertex[number(i)]; }
     /// The first entry whose body is `wanted` or a later one; samples are in the order of the bodies.
     std::size_t begin_of(BodyId wanted) const {
         std::size_t low = 0, high = at(size_);

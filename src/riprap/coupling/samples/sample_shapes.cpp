@@ -212,6 +212,7 @@ void append(const geometry::ShapeSet& shapes, const body::BodySet& bodies, BodyI
         samples.depth.push_back(depth);
         samples.volume.push_back(bodies.is_planar ? point.volume / settings.spacing : point.volume);
         samples.is_slippery.push_back(settings.is_slippery.empty() ? 0 : settings.is_slippery[at(body.value)]);
+        samples.is_in_vertex.push_back(0);  // share_seams finds them
     }
 }
 

@@ -21,6 +21,7 @@ std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 constexpr double same_depth = 1e-6;  ///< of a spacing: depths closer than this are equal
 constexpr double same_place = 1e-3;  ///< of a spacing: middles of cells closer than this are one
+constexpr double flat = 0.1;         ///< sine squared of the angle of faces below which they make no corner
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Depth of a place in a body, negative outside, and the outward normal of the nearest face.
@@ -143,6 +144,26 @@ class Seams {
         return rivals.empty() ? 1 : share_of_cell(owner, x, normal, other_normal, rivals);
     }
 
+    /// Tells whether x lies in so many still bodies that none of its directions runs along the faces of all of them.
+    bool is_in_vertex(BodyId owner, const Vec3& x, const Vec3& normal) const {
+        std::vector<Vec3> across{normal};  // a base of the directions across their faces, orthonormal
+        for (const Still& still : still_) {
+            const Vec3& centre = state_.position[at(still.body.value)];
+            if (still.body == owner || norm_squared(x - centre) > still.radius * still.radius) {
+                continue;
+            }
+            const Depth other = depth(still.body, x);
+            Vec3 rest = other.normal;
+            for (const Vec3& known : across) {
+                rest -= dot(other.normal, known) * known;
+            }
+            if (other.value > 0 && norm_squared(rest) > flat) {
+                across.push_back(normalized(rest));
+            }
+        }
+        return across.size() >= at(dimension_);
+    }
+
  private:
     struct Still {
         BodyId body;
@@ -240,16 +261,19 @@ void share_seams(const geometry::ShapeSet& shapes, const body::BodySet& bodies, 
     const SamplePlaces places(samples, state, settings.spacing);
     const Seams seams(shapes, bodies, state, settings, grounds, places);
     std::vector<double> share(at(samples.size()), 1);
+    std::vector<std::uint8_t> is_in_vertex(at(samples.size()), 0);
     parallel::for_each_uneven(samples.size(), 256, [&](std::int64_t i) {
         const BodyId owner = samples.body[at(i)];
         if (is_still(bodies, owner)) {
             const Pose pose{state.position[at(owner.value)], state.orientation[at(owner.value)]};
             const Vec3 normal = rotate(pose.orientation, samples.normal[at(i)]);
             share[at(i)] = seams.share(owner, places.place(i), normal);
+            is_in_vertex[at(i)] = seams.is_in_vertex(owner, places.place(i), normal) ? 1 : 0;
         }
     });
     for (std::size_t i = 0; i < share.size(); ++i) {
         samples.volume.set(i, samples.volume[i] * share[i]);
+        samples.is_in_vertex.set(i, is_in_vertex[i]);
     }
     samples.for_each_column([&share](auto& column) {
         std::remove_reference_t<decltype(column)> kept;

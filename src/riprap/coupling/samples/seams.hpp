@@ -18,6 +18,8 @@ namespace riprap::coupling {
 ///
 /// Differs from keeping whole samples where they lie deepest: then a seam gains or lacks up to a row of samples in each
 /// layer, and water under pressure goes through the gap.
+///
+/// Also finds which samples lie in a vertex (SampleSet::is_in_vertex).
 /// @param grounds  of the scene (body::find_grounds)
 void share_seams(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& state,
                  const SampleSettings& settings, std::span<const body::Ground> grounds, SampleSet& samples);

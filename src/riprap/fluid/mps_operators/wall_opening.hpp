@@ -19,8 +19,11 @@
 
 namespace riprap::fluid {
 
+/// Of |n|^2: above that of faces, 1, and below that in vertices, 4.
+constexpr double longest_of_faces = 1.5;
+
 /// The water about a wall particle, with d = x_w - x_j, the matrix N = n n^T of its normal, which is 1 where normals
-/// are not known, and T = 1 - N:
+/// are not known and where |n| is length_in_vertex, and T = 1 - N:
 ///
 ///     sums[0] = sum x_j (v_w.N d - v_j.d) W/r^2,    sums[1] = sum W,
 ///     sums[2..4] = sum v_j W,    sums[5..7] = sum x_j T d W/r^2
@@ -41,12 +44,15 @@ struct MpsWallOpening {
     template <int Dim, class Real>
     RIPRAP_HD void operator()(const Real* wall, const Real* water, const Real* d, Real r2, Real, Real* sum) const {
         const Real w = weight.value(r2), over_square = water[Water::concentration] * weight.over_square(r2, w);
-        Real across(0), opening(0);
+        Real across(0), opening(0), square(0);
         for (int axis = 0; axis < Dim; ++axis) {
-            across = across + wall[Wall::normal + axis] * d[axis];
+            const Real n = wall[Wall::normal + axis];
+            across = across + n * d[axis];
+            square = square + n * n;
         }
         for (int axis = 0; axis < Dim; ++axis) {
-            const Real led = knows_normals ? across * wall[Wall::normal + axis] : d[axis];
+            const Real of_face = across * wall[Wall::normal + axis];
+            const Real led = knows_normals ? select(square > Real(longest_of_faces), d[axis], of_face) : d[axis];
             opening = opening + wall[Wall::velocity + axis] * led - water[Water::velocity + axis] * d[axis];
             sum[at_velocity + axis] = sum[at_velocity + axis] + water[Water::velocity + axis] * w;
             sum[at_along + axis] = sum[at_along + axis] + (d[axis] - led) * over_square;
@@ -56,7 +62,7 @@ struct MpsWallOpening {
     }
 };
 
-/// The walls about it, s = |n|^2:
+/// The walls about it, s = |n|^2, and none in vertices:
 ///
 ///     sums[0] = -sum b v.(s - N) d W/r^2,    sums[1..3] = sum b (s - N) d W/r^2
 struct MpsWallsAlong {
@@ -82,7 +88,8 @@ struct MpsWallsAlong {
             square = square + n * n;
         }
         for (int axis = 0; axis < Dim; ++axis) {
-            const Real along = (square * d[axis] - across * own[Own::normal + axis]) * over_square;
+            const Real of_faces = (square * d[axis] - across * own[Own::normal + axis]) * over_square;
+            const Real along = select(square > Real(longest_of_faces), Real(0), of_faces);
             sum[at_opening] = sum[at_opening] - other[Other::velocity + axis] * along;
             sum[at_along + axis] = sum[at_along + axis] + along;
         }
@@ -115,7 +122,9 @@ struct MpsOpeningSides {
 ///
 /// Along its face a wall lets water slide: only what all that stands about it does there counts, walls and water, so
 /// that the edge of the water at its surface, or at a floor that a wall slides through, is no opening. In solid that
-/// two bodies share, the share 1 - |n|^2, both faces let it slide, and only u - v_j counts.
+/// two bodies share, the share 1 - |n|^2, both faces let it slide, and only u - v_j counts. Where solids meet whose
+/// faces have no way along all of them, as in the vertices of a tank, T = 0: along one of these faces water comes up
+/// against the others, and of the one or two particles that are about a vertex u is all but v_j.
 ///
 /// @param has_mean  of a wall particle by its number: has the mean pressure of the water about it, else g = 0
 /// @param sum       add_pair_sums of the scheme, between walls and water, and among walls where its last argument says

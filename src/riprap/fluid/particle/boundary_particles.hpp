@@ -9,6 +9,9 @@
 
 namespace riprap::fluid {
 
+/// Length of the normals of particles that no way is along the faces of: see BoundaryParticles::normal [-].
+constexpr double length_in_vertex = 2;
+
 /// Particles that stand for walls and blocks inside the kernel sums, as the fluid sees them: where they are, how they
 /// move, what they take. Whoever moves the solids fills the inputs and carries the forces back; the fluid knows no
 /// body. One entry per particle; the order never changes, so sums follow it.
@@ -21,8 +24,8 @@ struct BoundaryParticles {
     std::vector<double> given_pressure;     ///< instead of that of the fluid; none where negative, or empty [Pa]
 
     /// Outward normal n of the face that each of them lies under; times the root of 1 - s where the share s of it lies
-    /// in solid that two bodies with faces of their own share, whose water slides along both. Empty where no fluid asks
-    /// for it [-].
+    /// in solid that two bodies with faces of their own share, whose water slides along both. Times length_in_vertex
+    /// where solids meet whose faces have no way along all of them. Empty where no fluid asks for it [-].
     std::vector<Vec3> normal;
     std::vector<Vec3> outward_area;  ///< area of solid that a particle stands for, along the outward normal, zero
                                      ///< below the outermost layer; empty where no fluid asks for it [m^2]
