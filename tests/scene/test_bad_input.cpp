@@ -382,6 +382,11 @@ TEST(BadInput, what_begins_when_the_run_is_over_is_warned_of) {
         "gravity = { value = [0.0, 0.0, -9.81], rotation = { axis = [1.0, 0.0, 0.0], rate = 0.1, start = 3.0 } }";
     EXPECT_THAT(read(with(minimal_case, "gravity = [0.0, 0.0, -9.81]", turn)).warnings,
                 ElementsAre(HasSubstr("before gravity begins to turn at 3 s")));
+    const std::string by_table =
+        "gravity = { value = [0.0, 0.0, -9.81], rotation = { axis = [1.0, 0.0, 0.0], "
+        "time = [4.0, 5.0], angle = [0.0, 0.1] } }";
+    EXPECT_THAT(read(with(minimal_case, "gravity = [0.0, 0.0, -9.81]", by_table)).warnings,
+                ElementsAre(HasSubstr("before gravity begins to turn at 4 s")));
 }
 
 TEST(BadInput, a_friction_coefficient_that_is_an_angle_is_warned_of) {

@@ -24,7 +24,7 @@ struct ParticleFindings {
     }
 };
 
-/// What came in less what left through inflows, outflows and open tops, after the kick.
+/// Counts what came in less what left through inflows, outflows and open tops, after the kick.
 struct Transported {
     double energy{0};  ///< kinetic, potential and internal [J]
     Vec3 momentum{};   ///< [kg m/s]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What a fluid says of itself beyond what a step needs.
+// Declares what a fluid says of itself beyond what a step needs.
 
 #include <cstddef>
 #include <span>

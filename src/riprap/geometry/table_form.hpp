@@ -10,7 +10,7 @@
 
 namespace riprap::geometry {
 
-/// What a reader says to the unit in a heading.
+/// Answers a table that asks its reader for the unit in a heading.
 struct UnitAnswer {
     bool is_known{false};
     bool is_of_its_kind{false};  ///< a length where a length is read, ...

@@ -21,7 +21,7 @@ struct Bracketed {
     std::vector<double> numbers{};
 };
 
-/// How many numbers follow a word.
+/// Returns how many numbers follow a word.
 std::size_t numbers_of(std::string_view word) { return word == "front" ? 2 : word == "above" ? 1 : 0; }
 
 /// The number that a text is; nothing where it is none.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the methods of a case state of themselves beyond what a step needs, by the traits that their classes declare
+// Asks the methods of a case what they state of themselves beyond a step, by the traits that their classes declare
 // (solid/solid_traits.hpp, coupling/fluid_traits.hpp).
 
 #include <cstddef>

@@ -22,8 +22,8 @@
 
 namespace riprap::sim {
 
-/// What the class of a solid method has beside the verbs of solid::SolidMethod: it is made for one step, and answers
-/// for its own fields and buffers.
+/// Lists what the class of a solid method has beside the verbs of solid::SolidMethod: it is made for one step, and
+/// answers for its own fields and buffers.
 template <class M>
 concept RegisteredSolid = std::derived_from<M, solid::SolidMethod> &&
     std::default_initializable<typename M::Settings> && std::default_initializable<typename M::Fields> &&

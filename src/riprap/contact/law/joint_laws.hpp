@@ -11,7 +11,7 @@
 
 namespace riprap::contact {
 
-/// What a joint law sees of a contact point.
+/// Describes a contact point to a joint law.
 struct JointPoint {
     double push{0};      ///< N, normal force, pressing positive [N]
     double friction{0};  ///< tan phi of the pair of materials [-]

@@ -9,7 +9,7 @@
 
 namespace riprap::fluid::mps {
 
-/// What pairs count in the number density. With the smooth weight that is Wendland's kernel (1 - q)^4 (1 + 4 q), whose
+/// Counts pairs in the number density: with the smooth weight by Wendland's kernel (1 - q)^4 (1 + 4 q), whose
 /// slope over distance is -20 W/r^2 but for its size: forces along d W/r^2 then follow from the density as from a
 /// potential, and a particle counts itself. W itself falls where particles come nearer than 0.4 r_e, which lets them
 /// pair and stirs water at rest. The reciprocal weight counts as it is.

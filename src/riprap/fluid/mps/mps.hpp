@@ -50,7 +50,7 @@ class Mps : public ParticleScheme, public SolvesForBodies {
     std::span<const std::uint8_t> surface_particles() const { return scratch_.around.surface; }
     /// Pressure of the last solve [Pa].
     std::span<const double> pressure() const { return scratch_.water.pressure; }
-    /// How the pressure equation was solved since begin_forces: iterations of all solves, residual of the last.
+    /// Tells how the pressure equation was solved since begin_forces: iterations of all solves, residual of the last.
     const linear::SolveReport& solved() const { return solved_; }
 
  private:

@@ -46,7 +46,7 @@ inline WcmpsDensitySums lend_wcmps_density_sums(StageMemory<parallel::Host>& mem
             memory.lend<1>(3), memory.lend<3>(4), memory.lend<1>(7)};
 }
 
-/// What the update of density leaves to the stages after it.
+/// Holds the sums that the update of density leaves to the stages after it.
 struct WcmpsContinuity {
     std::vector<double> rate;        ///< sum of NumberContinuity
     std::vector<double> neighbours;  ///< likewise, walls included [-]

@@ -72,7 +72,11 @@ void warn_of_late_starts(CaseBuild& build) {
     }
     const Value& gravity = get(build.root, "gravity");
     const Value* turn = gravity.is_table() ? gravity.find("rotation") : nullptr;
-    warn_of_late(build, turn != nullptr ? turn->find("start") : nullptr, "gravity begins to turn");
+    if (turn != nullptr) {
+        const Value* times = turn->find("time");
+        const bool has_times = times != nullptr && !times->items.empty();
+        warn_of_late(build, has_times ? &times->items.front() : turn->find("start"), "gravity begins to turn");
+    }
 }
 
 void warn_of_steep_friction(CaseBuild& build) {
