@@ -319,14 +319,8 @@ struct Reader : fluid::WaterReader {
         const std::vector<double>& k = water.turbulent_energy;
         return k.empty() ? 0 : sum_in_box(low, high, [&k](std::int64_t c) { return k[at(c)]; });
     }
-    /// In front of a face: half a cell away from it, and the weight of water back to it.
-    double wall_pressure() const override {
-        if (wall == nullptr) {
-            return 0;
-        }
-        const auto b = at(wall->body.value);
-        const Vec3 foot = fields.cut_position[b] + rotate(fields.cut_orientation[b], wall->anchor);
-        const Vec3 normal = rotate(fields.cut_orientation[b], wall->normal);
+    /// In front of a face: half a cell away from it, and the weight of water back to it. Nothing where a solid is there.
+    std::optional<double> pressure_on(const Vec3& foot, const Vec3& normal) const {
         for (const double away : {0.1, 0.5, 1.0}) {
             const Vec3 place = foot + (away * settings.spacing) * normal;
             const std::int64_t c = cell_at(place);
@@ -335,7 +329,31 @@ struct Reader : fluid::WaterReader {
                 return water.pressure[at(c)] + density * dot(fluid::grid::body_force(settings.grid, water.time), foot);
             }
         }
-        return 0;
+        return std::nullopt;
+    }
+    /// Mean over the square of the sensor, at points at most half a cell apart, without those that a solid covers.
+    double wall_pressure() const override {
+        if (wall == nullptr) {
+            return 0;
+        }
+        const auto b = at(wall->body.value);
+        const Quat& turn = fields.cut_orientation[b];
+        const Vec3 middle = fields.cut_position[b] + rotate(turn, wall->anchor), normal = rotate(turn, wall->normal);
+        const bool is_planar = mesh().box.axes == 2;
+        const Vec3 first = rotate(turn, tangent(wall->normal, is_planar)), second = cross(normal, first);
+        const int count = std::max(1, static_cast<int>(std::ceil(2 * wall->side / settings.spacing)));
+        double sum = 0, open_points = 0;
+        for (int i = 0; i < count; ++i) {
+            for (int j = 0; j < (is_planar ? 1 : count); ++j) {
+                const auto way = [&](int k) { return ((k + 0.5) / count - 0.5) * wall->side; };
+                const Vec3 foot = middle + way(i) * first + (is_planar ? 0.0 : way(j)) * second;
+                if (const std::optional<double> p = pressure_on(foot, normal)) {
+                    sum += *p;
+                    open_points += 1;
+                }
+            }
+        }
+        return open_points > 0 ? sum / open_points : 0;
     }
 };
 
