@@ -18,9 +18,9 @@ namespace {
 
 constexpr double depth = 0.2, grown = 0.1, full = 9.81, theta = 0.02;
 
-/// A column of water 0.2 m deep between walls, in gravity that grows evenly from nothing to all in 0.1 s: the pressure
-/// at each depth grows likewise.
-std::string column(const std::string& method, const std::string& gauges) {
+/// A column of water 0.2 m deep between walls, for 0.1 s, in gravity that grows evenly from nothing over a time: the
+/// pressure at each depth grows likewise.
+std::string column(const std::string& method, double ramp, const std::string& gauges) {
     const auto wall = [](const std::string& name, const std::string& normal, double offset) {
         return fmt::format(
             "[[body]]\nname = '{}'\nmaterial = 'rock'\nshape = {{ half_space = {{ normal = {}, offset = {} }} }}\n"
@@ -28,11 +28,12 @@ std::string column(const std::string& method, const std::string& gauges) {
             name, normal, offset);
     };
     return fmt::format(
-               "dimension = 2\nend = {}\n[gravity]\nvalue = [0, -{}]\nramp = {}\n[material.rock]\ndensity = 2500\n"
+               "dimension = 2\nend = {}\ntime_step = {}\n[gravity]\nvalue = [0, -{}]\nramp = "
+               "{}\n[material.rock]\ndensity = 2500\n"
                "normal_stiffness = 1e6\nfriction_coefficient = 0.4\n[fluid]\nmethod = '{}'\nspacing = 0.01\n"
                "domain = {{ low = [-0.05, -0.05], high = [0.15, 0.3] }}\n[[fluid.region]]\n"
                "box = {{ low = [0, 0], high = [0.1, {}] }}\n",
-               grown, full, grown, method, depth) +
+               grown, method == "grid" ? "0.0005" : "'auto'", full, ramp, method, depth) +
            wall("floor", "[0, 1]", 0) + wall("left", "[1, 0]", 0) + wall("right", "[-1, 0]", -0.1) + gauges;
 }
 
@@ -55,7 +56,7 @@ void run(const std::string& text, const Look& look) {
 TEST(SlowGauge, LagsBehindAPressureThatGrowsByItsResponseInEveryFluid) {
     for (const char* method : {"grid", "sph"}) {
         double last = 0, quick = 0, slow = 0;
-        run(column(method, gauge("quick", "") + gauge("slow", fmt::format("response = {}", theta))),
+        run(column(method, grown, gauge("quick", "") + gauge("slow", fmt::format("response = {}", theta))),
             [&](const Simulation& simulation) {
                 const auto columns = sim::record_columns(simulation.model());
                 last = simulation.state().time;
@@ -77,7 +78,7 @@ TEST(SlowGauge, TakesTheMeanOverItsSquareAtTheSurfaceToo) {
     for (const char* method : {"grid", "sph"}) {
         double deep = 0, point = 0, at_surface = 0;
         const std::string area = fmt::format("area = {}", side * side);
-        run(column(method, gauge("deep", area) + gauge("point", "") + gauge("surface", area, depth)),
+        run(column(method, 0, gauge("deep", area) + gauge("point", "") + gauge("surface", area, depth)),
             [&](const Simulation& simulation) {
                 const auto columns = sim::record_columns(simulation.model());
                 deep = sim::evaluate(columns[0], simulation.now());
@@ -94,7 +95,7 @@ TEST(SlowGauge, TakesTheMeanOverItsSquareAtTheSurfaceToo) {
 // What an instrument shows is part of the State.
 TEST(SlowGauge, ShowsTheSameAfterAStopInAnyStep) {
     const TemporaryFolder place;
-    io::write_file(place / "case.toml", column("sph", gauge("slow", "response = 0.02\narea = 4e-4")));
+    io::write_file(place / "case.toml", column("sph", grown, gauge("slow", "response = 0.02\narea = 4e-4")));
     const auto run_in = [&](const std::string& folder, std::vector<std::string> overrides) {
         RunOptions options;
         options.case_path = (place / "case.toml").string();

@@ -319,7 +319,8 @@ struct Reader : fluid::WaterReader {
         const std::vector<double>& k = water.turbulent_energy;
         return k.empty() ? 0 : sum_in_box(low, high, [&k](std::int64_t c) { return k[at(c)]; });
     }
-    /// In front of a face: half a cell away from it, and the weight of water back to it. Nothing where a solid is there.
+    /// In front of a face: half a cell away from it, and the weight of water back to it. Nothing where a solid is
+    /// there.
     std::optional<double> pressure_on(const Vec3& foot, const Vec3& normal) const {
         for (const double away : {0.1, 0.5, 1.0}) {
             const Vec3 place = foot + (away * settings.spacing) * normal;

@@ -142,15 +142,15 @@ Energy read_energy(const GridSettings& settings, const GridState& state, const G
                 square += share * std::pow(u[at(c)], 2) + (1 - share) * std::pow(u[at(high)], 2);
             }
             const double porosity = scratch.medium.has_stones ? scratch.medium.porosity[at(c)] : 1;
-            double potential = -mass * dot(settings.gravity, settings.mesh.centre(i, j, k));
+            Vec3 moment = mass * settings.mesh.centre(i, j, k);
             if (settings.has_surface && is_mixed(state.fraction[at(c)])) {  // water lies on one side of the cell
-                potential -= (settings.water.density - settings.air.density) * scratch.room.capacity[at(c)] *
-                             dot(settings.gravity, moment_of_water(settings, state, c, {i, j, k}));
+                moment += (settings.water.density - settings.air.density) * scratch.room.capacity[at(c)] *
+                          moment_of_water(settings, state, c, {i, j, k});
             }
-            return Energy{0.5 * mass * square / (porosity * porosity), potential};
+            return Energy{0.5 * mass * square / (porosity * porosity), moment};
         },
         [](Energy a, const Energy& b) {
-            return Energy{a.kinetic + b.kinetic, a.potential + b.potential};
+            return Energy{a.kinetic + b.kinetic, a.mass_moment + b.mass_moment};
         });
 }
 

@@ -27,14 +27,13 @@ const char* remedy_of(linear::SolveStatus status) {
 }
 
 struct Sums {
-    double kinetic{0}, potential{0}, viscous{0}, collisions{0}, pressure{0}, external{0};
+    double kinetic{0}, viscous{0}, collisions{0}, pressure{0}, external{0};
     double speed_squared{0}, acceleration_squared{0};
-    Vec3 momentum{}, extra{};
+    Vec3 momentum{}, extra{}, mass_moment{};
 };
 
 Sums operator+(Sums a, const Sums& b) {
     a.kinetic += b.kinetic;
-    a.potential += b.potential;
     a.viscous += b.viscous;
     a.collisions += b.collisions;
     a.pressure += b.pressure;
@@ -43,6 +42,7 @@ Sums operator+(Sums a, const Sums& b) {
     a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
     a.momentum += b.momentum;
     a.extra += b.extra;
+    a.mass_moment += b.mass_moment;
     return a;
 }
 
@@ -54,7 +54,7 @@ Sums operator+(Sums a, const Sums& b) {
 Sums kick_particles(const MpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
                     const MpsScratch& s, const SparseVectors& extra_force) {
     const double m = settings.particle_mass;
-    const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
+    const Vec3 along = gravity - without_periodic(gravity, settings.domain);
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 extra = extra_force[i];
@@ -65,7 +65,7 @@ Sums kick_particles(const MpsSettings& settings, ParticleState& state, const Vec
         const Vec3 after = state.velocity[i], middle = 0.5 * (start + after);
         Sums sums;
         sums.kinetic = 0.25 * m * (norm_squared(start) + norm_squared(after));
-        sums.potential = -m * dot(downward, state.position[i] + 0.25 * dt * (after - start));
+        sums.mass_moment = m * (state.position[i] + 0.25 * dt * (after - start));
         sums.viscous = dt * dot(s.prediction.viscous_force[i], middle);
         sums.collisions = m * dot(collided, middle);
         sums.pressure = dt * dot(s.water.pressure_force[i], middle);
@@ -160,7 +160,7 @@ void Mps::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3&
     const Sums sums = kick_particles(settings_, state, pull, dt, scratch_, extra_force);
     const WallPower walls_take = power_on_walls(walls, scratch_);
     report.kinetic = sums.kinetic;
-    report.potential = sums.potential;
+    book_potential(pull, sums.mass_moment, settings_.domain, report);
     report.dissipated_viscous = -sums.viscous - dt * walls_take.viscous;
     report.dissipated_collisions = -sums.collisions - dt * walls_take.collisions;
     report.pressure_loss = -sums.pressure - dt * walls_take.pressure;

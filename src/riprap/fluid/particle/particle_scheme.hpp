@@ -50,6 +50,14 @@ struct FluidReport : FluidBalance {
     std::string remedy;               ///< what to change in the case, where that follows from the problem
 };
 
+/// Notes the potential energy -g.X of particles with the first moment X = sum m x [kg m], g the gravity that has a
+/// potential.
+inline void book_potential(const Vec3& gravity, const Vec3& mass_moment, const Domain& domain, FluidBalance& balance) {
+    balance.gravity = without_periodic(gravity, domain);
+    balance.mass_moment = mass_moment;
+    balance.potential = -dot(balance.gravity, mass_moment);
+}
+
 /// Step of the particles of one method, between walls that somebody else moves. The driver calls the verbs in
 /// this order in every step; what an object keeps between steps decides no bit.
 ///

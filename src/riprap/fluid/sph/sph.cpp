@@ -39,7 +39,7 @@ FluidTimeStep Sph::limit(const ParticleState& state) const {
 void Sph::book_kick(std::int64_t count, const Vec3& gravity, double dt, const KickSums& sums,
                     FluidReport& report) const {
     report.kinetic = sums.kinetic;
-    report.potential = sums.potential;
+    book_potential(gravity, sums.mass_moment, settings_.domain, report);
     report.dissipated_viscous = dt * sums.heat;
     report.wall_exchange = dt * sums.exchange;
     report.earlier_exchange = dt * sums.earlier_exchange;

@@ -12,14 +12,13 @@ namespace riprap::fluid {
 namespace {
 
 struct Sums {
-    double kinetic{0}, potential{0}, internal{0}, heat{0}, exchange{0}, earlier_exchange{0}, external{0}, collisions{0};
+    double kinetic{0}, internal{0}, heat{0}, exchange{0}, earlier_exchange{0}, external{0}, collisions{0};
     double speed_squared{0}, acceleration_squared{0};
-    Vec3 momentum{}, extra{};
+    Vec3 momentum{}, extra{}, mass_moment{};
 };
 
 Sums operator+(Sums a, const Sums& b) {
     a.kinetic += b.kinetic;
-    a.potential += b.potential;
     a.internal += b.internal;
     a.heat += b.heat;
     a.exchange += b.exchange;
@@ -30,6 +29,7 @@ Sums operator+(Sums a, const Sums& b) {
     a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
     a.momentum += b.momentum;
     a.extra += b.extra;
+    a.mass_moment += b.mass_moment;
     return a;
 }
 
@@ -69,7 +69,7 @@ void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt,
                            const SparseVectors& extra_force, FluidReport& report) const {
     const double m = settings_.particle_mass, resistance = m / settings_.rest_density * resistance_to_sound();
     const double divergence = -lattice_.first_order(), factor = force_factor();
-    const Vec3 downward = without_periodic(gravity, settings_.domain), along = gravity - downward;
+    const Vec3 along = gravity - without_periodic(gravity, settings_.domain);
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 extra = extra_force[i];
@@ -80,7 +80,7 @@ void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt,
         Sums sums;
         sums.kinetic = 0.5 * m * dot(before + collision, after);
         sums.collisions = -0.5 * m * dot(collision, 2.0 * before + collision + dt * acceleration);
-        sums.potential = -m * dot(downward, state.position[i]);
+        sums.mass_moment = m * state.position[i];
         sums.internal = m * internal_energy_of(settings_, water_.concentration[i]);
         // of damped sound along the mean velocity of the kick: half now, half at the next update of density
         const double squeezed = divergence * continuity_.rate[i] / water_.concentration[i] - continuity_.slip[i];
@@ -100,7 +100,7 @@ void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt,
     const Sums sums =
         parallel::reduce(state.owned(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
     report.kinetic = sums.kinetic;
-    report.potential = sums.potential;
+    book_potential(gravity, sums.mass_moment, settings_.domain, report);
     report.internal = sums.internal;
     report.dissipated_viscous = dt * sums.heat;
     report.wall_exchange = dt * sums.exchange;

@@ -186,7 +186,7 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
         return;
     }
     auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, build.is_dry,
-                                          gauge.point, spacing, body);
+                                    gauge.point, spacing, body);
     if (!face) {
         const std::string whose = body.is_valid() ? fmt::format(" of '{}'", get_text(table, "body")) : "";
         build.problem(
