@@ -73,18 +73,15 @@ std::vector<double> added_mass_shares(const FluidScene& scene, const GridFluidSe
 
 Vec3 momentum_of(const GridSettings& settings, const GridState& state, const GridScratch& s) {
     const auto& box = settings.mesh.box;
-    return fluid::grid::reduce_cells(
-        box, Vec3{},
-        [&](std::int64_t c, int, int, int) {
-            const double mass = s.room.capacity[at(c)] * fluid::grid::density_of(settings, state.fraction[at(c)]);
-            Vec3 p{};
-            for (int a = 0; a < box.axes; ++a) {
-                const auto& u = state.velocity[at(a)];
-                p[a] = 0.5 * mass * (u[at(c)] + u[at(c + box.stride[at(a)])]);
-            }
-            return p;
-        },
-        [](const Vec3& a, const Vec3& b) { return a + b; });
+    return fluid::grid::sum_cells(box, [&](std::int64_t c, int, int, int) {
+        const double mass = s.room.capacity[at(c)] * fluid::grid::density_of(settings, state.fraction[at(c)]);
+        Vec3 p{};
+        for (int a = 0; a < box.axes; ++a) {
+            const auto& u = state.velocity[at(a)];
+            p[a] = 0.5 * mass * (u[at(c)] + u[at(c + box.stride[at(a)])]);
+        }
+        return p;
+    });
 }
 
 double fastest_water(const GridSettings& settings, const GridState& state, const GridScratch& s) {

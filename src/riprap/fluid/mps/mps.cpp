@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/fluid/particle/unsound_particles.hpp"
 
 namespace riprap::fluid {
@@ -30,21 +31,21 @@ struct Sums {
     double kinetic{0}, viscous{0}, collisions{0}, pressure{0}, external{0};
     double speed_squared{0}, acceleration_squared{0};
     Vec3 momentum{}, extra{}, mass_moment{};
-};
 
-Sums operator+(Sums a, const Sums& b) {
-    a.kinetic += b.kinetic;
-    a.viscous += b.viscous;
-    a.collisions += b.collisions;
-    a.pressure += b.pressure;
-    a.external += b.external;
-    a.speed_squared = std::max(a.speed_squared, b.speed_squared);
-    a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
-    a.momentum += b.momentum;
-    a.extra += b.extra;
-    a.mass_moment += b.mass_moment;
-    return a;
-}
+    template <class By>
+    static void join(Sums& a, const Sums& b, const By& by) {
+        by.add(a.kinetic, b.kinetic);
+        by.add(a.viscous, b.viscous);
+        by.add(a.collisions, b.collisions);
+        by.add(a.pressure, b.pressure);
+        by.add(a.external, b.external);
+        by.largest(a.speed_squared, b.speed_squared);
+        by.largest(a.acceleration_squared, b.acceleration_squared);
+        by.add(a.momentum, b.momentum);
+        by.add(a.extra, b.extra);
+        by.add(a.mass_moment, b.mass_moment);
+    }
+};
 
 /// v_(n+1) = u** + dt (pressure + extra force)/m, and the report of all that belongs to particles. Work is that of
 /// each force along (v_n + v_(n+1))/2. Energies are the means of those before and after the step: between two kicks
@@ -77,12 +78,19 @@ Sums kick_particles(const MpsSettings& settings, ParticleState& state, const Vec
         sums.extra = extra;
         return sums;
     };
-    return parallel::reduce(state.size(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
+    return parallel::sum(state.blocks(), kick_one);
 }
 
 /// Work on walls by pressure, viscosity and collisions [W].
 struct WallPower {
     double pressure{0}, viscous{0}, collisions{0};
+
+    template <class By>
+    static void join(WallPower& a, const WallPower& b, const By& by) {
+        by.add(a.pressure, b.pressure);
+        by.add(a.viscous, b.viscous);
+        by.add(a.collisions, b.collisions);
+    }
 };
 
 WallPower power_on_walls(const BoundaryParticles& walls, const MpsScratch& s) {
@@ -92,16 +100,14 @@ WallPower power_on_walls(const BoundaryParticles& walls, const MpsScratch& s) {
         return WallPower{dot(walls.pressure_force[w] - s.walls.collision_force[w], v), dot(walls.viscous_force[w], v),
                          dot(s.walls.collision_force[w], v)};
     };
-    return parallel::reduce(walls.size(), WallPower{}, one, [](const WallPower& a, const WallPower& b) {
-        return WallPower{a.pressure + b.pressure, a.viscous + b.viscous, a.collisions + b.collisions};
-    });
+    return parallel::sum(walls.size(), one);
 }
 
 }  // namespace
 
 FluidTimeStep Mps::limit(const ParticleState& state) const {
     const double squared = parallel::reduce(
-        state.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
+        state.blocks(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
         [](double a, double b) { return std::max(a, b); });
     const double l = settings_.spacing, none = std::numeric_limits<double>::infinity();
     const double speed = std::max(settings_.expected_speed(), std::sqrt(squared));

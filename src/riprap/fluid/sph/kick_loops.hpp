@@ -15,20 +15,19 @@ struct KickSums {
     double kinetic{0}, heat{0}, exchange{0}, earlier_exchange{0}, external{0};
     double speed_squared{0}, acceleration_squared{0};
     Vec3 momentum{}, extra{}, mass_moment{};
-};
-struct AddKickSums {
-    RIPRAP_HD KickSums operator()(KickSums a, const KickSums& b) const {
-        a.kinetic += b.kinetic;
-        a.heat += b.heat;
-        a.exchange += b.exchange;
-        a.earlier_exchange += b.earlier_exchange;
-        a.external += b.external;
-        a.speed_squared = std::max(a.speed_squared, b.speed_squared);
-        a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
-        a.momentum += b.momentum;
-        a.extra += b.extra;
-        a.mass_moment += b.mass_moment;
-        return a;
+
+    template <class By>
+    RIPRAP_HD static void join(KickSums& a, const KickSums& b, const By& by) {
+        by.add(a.kinetic, b.kinetic);
+        by.add(a.heat, b.heat);
+        by.add(a.exchange, b.exchange);
+        by.add(a.earlier_exchange, b.earlier_exchange);
+        by.add(a.external, b.external);
+        by.largest(a.speed_squared, b.speed_squared);
+        by.largest(a.acceleration_squared, b.acceleration_squared);
+        by.add(a.momentum, b.momentum);
+        by.add(a.extra, b.extra);
+        by.add(a.mass_moment, b.mass_moment);
     }
 };
 

@@ -129,8 +129,7 @@ class SphForces : public Sph {
         const KickParticle<Extra> kick_one{
             settings_.particle_mass, span.dt, gravity, gravity - without_periodic(gravity, settings_.domain), fluid,
             water_.volume.columns(), forces_, extra};
-        book_kick(fluid.count, gravity, span.dt, Where::reduce(fluid.count, KickSums{}, kick_one, AddKickSums{}),
-                  report);
+        book_kick(fluid.count, gravity, span.dt, Where::sum(state.blocks(), kick_one), report);
         site_.give_motion(state);
         book_compression(state, report);
         state.max_acceleration = report.max_acceleration;

@@ -55,10 +55,11 @@ struct LookAround {
 /// Energy that leaves the compression as density is updated, by diffusion and tearing and by shifting [J].
 struct Losses {
     double diffusion{0}, shifting{0};
-};
-struct AddLosses {
-    RIPRAP_HD Losses operator()(const Losses& a, const Losses& b) const {
-        return {a.diffusion + b.diffusion, a.shifting + b.shifting};
+
+    template <class By>
+    RIPRAP_HD static void join(Losses& a, const Losses& b, const By& by) {
+        by.add(a.diffusion, b.diffusion);
+        by.add(a.shifting, b.shifting);
     }
 };
 
@@ -141,10 +142,11 @@ struct PrepareForces {
 struct Shifted {
     double potential{0};        ///< energy of place that it took away [J]
     double longest_squared{0};  ///< [m^2]
-};
-struct AddShifted {
-    RIPRAP_HD Shifted operator()(const Shifted& a, const Shifted& b) const {
-        return {a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
+
+    template <class By>
+    RIPRAP_HD static void join(Shifted& a, const Shifted& b, const By& by) {
+        by.add(a.potential, b.potential);
+        by.largest(a.longest_squared, b.longest_squared);
     }
 };
 

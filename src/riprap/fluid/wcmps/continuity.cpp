@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
 #include "riprap/fluid/particle/zeros.hpp"
 #include "riprap/fluid/wcmps/continuity_pairs.hpp"
@@ -58,6 +59,13 @@ double damped_share(double standing) {
 
 struct Losses {
     double diffusion{0}, heat{0}, exchange{0};
+
+    template <class By>
+    static void join(Losses& a, const Losses& b, const By& by) {
+        by.add(a.diffusion, b.diffusion);
+        by.add(a.heat, b.heat);
+        by.add(a.exchange, b.exchange);
+    }
 };
 
 }  // namespace
@@ -92,7 +100,7 @@ WcmpsDensitySums Wcmps::sum_continuity(const ParticleState& state, const Boundar
         side(state.position, state.velocity, water_.pressure, water_.concentration),
         fresh(sinks(continuity_.rate, s.diffusion, s.weight, continuity_.neighbours, s.outward, s.stir)),
         lists_.fluid_fluid);
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         s.standing.set(i, s.weight[i]);
     });
@@ -108,14 +116,14 @@ WcmpsDensitySums Wcmps::sum_continuity(const ParticleState& state, const Boundar
 
 double Wcmps::finish_shift(ParticleState& state, const Vec3& gravity) const {
     const Vec3 downward = without_periodic(gravity, settings_.domain);
-    const double taken = parallel::reduce(
-        static_cast<std::int64_t>(state.shift.size()), 0.0,
-        [&](std::int64_t entry) {
-            const auto i = static_cast<std::size_t>(entry);
-            state.position[i] += state.shift[i];
-            return settings_.particle_mass * dot(downward, state.shift[i]);
-        },
-        [](double a, double b) { return a + b; });
+    if (state.shift.empty()) {
+        return 0;
+    }
+    const double taken = parallel::sum(state.blocks(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        state.position[i] += state.shift[i];
+        return settings_.particle_mass * dot(downward, state.shift[i]);
+    });
     state.shift.clear();
     return taken;
 }
@@ -124,7 +132,7 @@ void Wcmps::find_pressure(const ParticleState& state) {
     for (std::vector<double>* values : {&water_.concentration, &water_.pressure, &water_.pressure_over_concentration}) {
         values->resize(state.density.size());
     }
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         water_.concentration[i] = state.density[i] / settings_.rest_density;
         water_.pressure[i] = pressure_of(settings_, water_.concentration[i]);
@@ -167,7 +175,7 @@ void Wcmps::find_wall_shares(const BoundaryParticles& walls) {
 void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
                            FluidReport& report) {
     const Vec3 pull = in_plane(gravity, settings_.domain);
-    lists_.place(reach_of(settings_), state.position, walls.position);
+    lists_.place(reach_of(settings_), state.blocks(), state.position, walls.position);
     find_pressure(state);
     find_wall_shares(walls);
     const WcmpsDensitySums s = sum_continuity(state, walls, pull);
@@ -214,9 +222,7 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
         return Losses{-per_concentration * (spread + after - flown), heat,
                       -per_concentration * dt * before * made.slip[i]};
     };
-    const Losses losses = parallel::reduce(state.owned(), Losses{}, advance_one, [](const Losses& a, const Losses& b) {
-        return Losses{a.diffusion + b.diffusion, a.heat + b.heat, a.exchange + b.exchange};
-    });
+    const Losses losses = parallel::sum(state.blocks(), advance_one);
     report.dissipated_diffusion = losses.diffusion;
     report.earlier_heat = losses.heat;
     report.earlier_exchange = losses.exchange;
