@@ -104,9 +104,10 @@ void DeltaSph<Site>::update_density(ParticleState& state, const BoundaryParticle
                                      sums,
                                      corrections_,
                                      water_.bareness.columns()};
-    const Losses losses = Where::reduce(fluid.count, Losses{}, advance_one, AddLosses{});
-    report.dissipated_diffusion = losses.diffusion;
-    report.shifted = losses.shifting;
+    const DensityUpdate update = Where::reduce(fluid.count, DensityUpdate{}, advance_one, AddDensityUpdates{});
+    report.by_density = update.losses;
+    report.shifted = update.shifting;
+    report.volume = update.volume;
     site_.give_density(state);
 }
 
