@@ -26,18 +26,21 @@ void drift(const ParticleSettings& settings, ParticleState& state, double dt) {
 void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report) {
     struct Push {
         Vec3 force{};
-        double power{0};
+        double power{0}, slip{0};
     };
+    const std::span<const Vec3> at_face = walls.at_face();
     const auto one = [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const Vec3 force = walls.pressure_force[w] + walls.viscous_force[w];
-        return Push{force, dot(force, walls.velocity[w])};
+        const Vec3 faster = at_face[w] - walls.velocity[w];  // than the particle that schemes see the heat at
+        return Push{force, dot(force, walls.velocity[w]), dot(walls.viscous_force[w], faster)};
     };
     const Push push = parallel::reduce(walls.size(), Push{}, one, [](const Push& a, const Push& b) {
-        return Push{a.force + b.force, a.power + b.power};
+        return Push{a.force + b.force, a.power + b.power, a.slip + b.slip};
     });
     report.impulse -= dt * push.force;
-    report.work_on_solids = dt * push.power;
+    report.work_on_solids = dt * (push.power + push.slip);
+    report.dissipated_viscous -= dt * push.slip;
 }
 
 }  // namespace riprap::fluid
