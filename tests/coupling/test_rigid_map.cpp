@@ -46,7 +46,8 @@ TEST(RigidMap, the_power_of_loads_on_samples_is_that_of_force_and_torque) {
         const auto s = static_cast<double>(i);
         f.particles.pressure_force.push_back({std::sin(s), std::cos(3 * s), std::sin(7 * s + 1)});
         f.particles.viscous_force.push_back({std::cos(s), std::sin(5 * s), 0.3});
-        power += dot(f.particles.pressure_force[i] + f.particles.viscous_force[i], f.particles.velocity[i]);
+        power += dot(f.particles.pressure_force[i], f.particles.velocity[i]) +
+                 dot(f.particles.viscous_force[i], f.particles.foot_velocity[i]);
     }
     FluidLoads loads;
     gather_loads(f.samples, f.motion, f.particles, loads);
@@ -66,22 +67,63 @@ TEST(RigidMap, the_power_on_bodies_that_deform_is_that_of_force_torque_and_pull)
     f.motion.stretch_rate = {{0.3, -0.7, 0.2, 0.4, -0.1, 0.6}, {-0.5, 0.1, 0.9, 0.2, 0.3, -0.4}};
     place_samples(f.samples, f.motion, f.particles);
     double power = 0, scale = 0;
-    f.particles.viscous_force.assign(f.particles.position.size(), {});
     for (std::size_t i = 0; i < f.particles.position.size(); ++i) {
         const auto s = static_cast<double>(i);
         f.particles.pressure_force.push_back({std::sin(s), std::cos(3 * s), std::sin(7 * s + 1)});
-        power += dot(f.particles.pressure_force[i], f.particles.velocity[i]);
+        f.particles.viscous_force.push_back({std::cos(s), std::sin(5 * s), 0.3});
+        power += dot(f.particles.pressure_force[i], f.particles.velocity[i]) +
+                 dot(f.particles.viscous_force[i], f.particles.foot_velocity[i]);
         scale += norm(f.particles.pressure_force[i]) * norm(f.particles.velocity[i]);
     }
     FluidLoads loads;
     gather_loads(f.samples, f.motion, f.particles, loads);
     double affine = 0;
     for (std::size_t b = 0; b < 2; ++b) {
-        affine += dot(loads.pressure.force[b], f.motion.velocity[b]) +
-                  dot(loads.pressure.torque[b], f.motion.angular_velocity[b]) +
-                  contract(loads.pressure.pull[b], f.motion.stretch_rate[b]);
+        for (const body::Loads* const of : {&loads.pressure, &loads.viscous}) {
+            affine += dot(of->force[b], f.motion.velocity[b]) + dot(of->torque[b], f.motion.angular_velocity[b]) +
+                      contract(of->pull[b], f.motion.stretch_rate[b]);
+        }
     }
     EXPECT_NEAR(power, affine, 1e-13 * scale);
+}
+
+// The face of a body that turns goes faster than what is below it, and water sticks to the face.
+TEST(RigidMap, water_sticks_to_the_face_before_a_sample_and_pulls_there) {
+    test::Scene scene;
+    scene.add(geometry::box({1, 0.6, 0.8}), {{1, 2, 3}, {}});
+    SampleSettings settings;
+    settings.spacing = 0.05;
+    settings.reach = 0.15;
+    settings.domain = {{-9, -9, -9}, {9, 9, 9}, {}, 3};
+    settings.limit = 100'000;
+    const SampleSet samples = sample_shapes(scene.shapes, scene.bodies, scene.state, settings);
+    body::Motion motion;
+    motion.pose = {{scene.state.position[0], scene.state.orientation[0]}};
+    motion.velocity = motion.acceleration = motion.angular_acceleration = {{}};
+    motion.angular_velocity = {{0, 0, 3}};
+    fluid::BoundaryParticles particles;
+    place_samples(samples, motion, particles);
+    double deepest = 0, torque = 0;
+    for (std::size_t i = 0; i < particles.position.size(); ++i) {
+        const Vec3 arm = particles.position[i] - motion.pose[0].position, v = particles.foot_velocity[i];
+        const Vec3 foot{v.y / 3, -v.x / 3, arm.z + samples.depth[i] * samples.normal[i].z};
+        EXPECT_NEAR(std::max({std::abs(foot.x) / 0.5, std::abs(foot.y) / 0.3, std::abs(foot.z) / 0.4}), 1, 1e-6);
+        EXPECT_NEAR(norm(foot - arm), samples.depth[i], 1e-6);
+        deepest = std::max(deepest, norm(foot - arm));
+        particles.pressure_force.push_back({});
+        particles.viscous_force.push_back({-arm.y, arm.x, 0});
+        torque += cross(foot, particles.viscous_force[i]).z;
+    }
+    EXPECT_GT(deepest, 2 * settings.spacing);
+    FluidLoads loads;
+    gather_loads(samples, motion, particles, loads);
+    EXPECT_NEAR(loads.viscous.torque[0].z, torque, 1e-9 * torque);
+    const std::vector<std::uint8_t> slips{1};
+    settings.is_slippery = slips;
+    const SampleSet slippery = sample_shapes(scene.shapes, scene.bodies, scene.state, settings);
+    fluid::BoundaryParticles smooth;
+    place_samples(slippery, motion, smooth);
+    EXPECT_TRUE(smooth.foot_velocity.empty());
 }
 
 TEST(RigidMap, velocity_and_acceleration_are_the_time_derivatives_of_the_place) {

@@ -127,6 +127,8 @@ OwnSums add_up(std::span<const Account> accounts, const std::vector<double>& val
                 sums.given += value;
                 sums.largest_given = std::max(sums.largest_given, std::abs(value));
                 break;
+            case Balance::aside:
+                break;
         }
         sums.artificial += accounts[i].is_artificial ? std::abs(value) : 0;
     }
@@ -169,6 +171,15 @@ double first_residual(const Accounts& accounts, const LedgerState& state) {
 }
 
 bool take_up_old_totals(const Accounts& accounts, LedgerState& state) {
+    if (const std::ptrdiff_t first = fluid_account(accounts, first_young_account); first >= 0) {
+        const std::size_t young = accounts.fluid.size() - static_cast<std::size_t>(first);
+        for (const Late missing : {rest_highest, fluid_gravity, late_count}) {
+            if (state.totals.size() + young == late(accounts, missing)) {
+                const auto end_of_old = static_cast<std::ptrdiff_t>(late(accounts, rest_highest) - young);
+                state.totals.insert(state.totals.begin() + end_of_old, young, 0.0);
+            }
+        }
+    }
     for (const Late end_of_older : {rest_highest, fluid_gravity}) {
         if (state.totals.size() == late(accounts, end_of_older)) {
             state.totals.resize(late(accounts, late_count), 0.0);

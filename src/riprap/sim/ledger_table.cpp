@@ -62,7 +62,7 @@ void add_own(std::string_view side, std::span<const Account> accounts, std::vect
         const auto is_same = [&name](const LedgerLine& line) { return line.name == name; };
         if (std::none_of(lines.begin(), lines.end(), is_same)) {
             lines.push_back({std::move(name), account.entry, account.help, account.is_artificial, nullptr, nullptr,
-                             side == "fluid."});
+                             side == "fluid.", account.unit});
         }
     }
 }

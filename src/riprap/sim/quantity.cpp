@@ -27,7 +27,7 @@ const std::vector<QuantityInfo>& all_infos() {
             list.push_back({field.name, field.unit, 1, true, field.help});
         }
         for (const LedgerLine& line : ledger_lines()) {
-            list.push_back({line.name, LedgerLine::unit, 1, false, line.help});
+            list.push_back({line.name, line.unit, 1, false, line.help});
         }
         for (const Quantity& quantity : scene_quantities()) {
             list.push_back(quantity.info);

@@ -7,8 +7,24 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/fluid/particle/columns.hpp"
 
 namespace riprap::coupling {
+
+namespace {
+
+/// Place of the foot of a sample on its face, relative to the centre of mass of its body [m].
+Vec3 foot_of(const SampleView& samples, const body::Motion& motion, std::size_t body, std::size_t i) {
+    return arm_of(motion, body, samples.anchor(i) + samples.depth(i) * samples.normal(i));
+}
+
+/// Velocity of a body at an arm [m/s].
+Vec3 velocity_at(const body::Motion& motion, std::size_t body, const Vec3& arm) {
+    const Vec3 v = motion.velocity[body] + cross(motion.angular_velocity[body], arm);
+    return motion.deforms() ? v + motion.stretch_rate[body] * arm : v;
+}
+
+}  // namespace
 
 void place_samples(const SampleView& samples, const body::Motion& motion, fluid::BoundaryParticles& particles,
                    std::span<const std::uint8_t> is_still) {
@@ -25,6 +41,7 @@ void place_samples(const SampleView& samples, const body::Motion& motion, fluid:
             particles.volume[i] = samples.volume(i);
             particles.is_slippery[i] = samples.is_slippery(i);
         }
+        particles.foot_velocity.resize(may_stick(particles) ? count : 0);
     }
     parallel::for_each(samples.size(), [&](std::int64_t index) {
         const auto i = at(index);
@@ -36,9 +53,9 @@ void place_samples(const SampleView& samples, const body::Motion& motion, fluid:
         const Vec3& omega = motion.angular_velocity[body];
         const Vec3 swing = cross(omega, r);
         particles.position[i] = motion.pose[body].position + r;
-        particles.velocity[i] = motion.velocity[body] + swing;
-        if (motion.deforms()) {
-            particles.velocity[i] += motion.stretch_rate[body] * r;
+        particles.velocity[i] = velocity_at(motion, body, r);
+        if (!particles.foot_velocity.empty()) {
+            particles.foot_velocity[i] = velocity_at(motion, body, foot_of(samples, motion, body, i));
         }
         particles.acceleration[i] =
             motion.acceleration[body] + cross(motion.angular_acceleration[body], r) + cross(omega, swing);
@@ -156,7 +173,12 @@ void gather(const SampleView& samples, const body::Motion& motion, std::span<con
 void gather_loads(const SampleView& samples, const body::Motion& motion, const fluid::BoundaryParticles& particles,
                   FluidLoads& loads) {
     gather(samples, motion, particles.position, particles.pressure_force, loads.pressure);
-    gather(samples, motion, particles.position, particles.viscous_force, loads.viscous);
+    std::vector<Vec3> feet(particles.foot_velocity.empty() ? 0 : at(samples.size()));
+    parallel::for_each(static_cast<std::int64_t>(feet.size()), [&](std::int64_t index) {
+        const auto i = at(index), body = at(samples.body(i).value);
+        feet[i] = motion.pose[body].position + foot_of(samples, motion, body, i);
+    });
+    gather(samples, motion, feet.empty() ? particles.position : feet, particles.viscous_force, loads.viscous);
 }
 
 }  // namespace riprap::coupling

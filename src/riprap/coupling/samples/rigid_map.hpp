@@ -16,7 +16,8 @@ namespace riprap::coupling {
 ///
 ///     x = x_c + r,   v = v_c + omega x r + D r,   a = a_c + alpha x r + omega x (omega x r),
 ///
-/// and copies volumes and slip. U = 1 and D = 0 for rigid bodies. Two dimensions: the same with all z = 0.
+/// and copies volumes and slip. Where some stick, v is found for the foot of each on its face too, X + depth n. U = 1
+/// and D = 0 for rigid bodies. Two dimensions: the same with all z = 0.
 /// @param is_still  per body: never moves, so its particles are left as they are once they have been placed; empty: all
 ///                  bodies may move
 void place_samples(const SampleView& samples, const body::Motion& motion, fluid::BoundaryParticles& particles,
@@ -29,7 +30,7 @@ void place_samples(const SampleView& samples, const body::Motion& motion, fluid:
 void gather(const SampleView& samples, const body::Motion& motion, std::span<const Vec3> place,
             std::span<const Vec3> sample_force, body::Loads& loads);
 
-/// Gathers the loads of pressure and viscosity per body.
+/// Gathers the loads of pressure and viscosity per body, that of viscosity at the feet.
 void gather_loads(const SampleView& samples, const body::Motion& motion, const fluid::BoundaryParticles& particles,
                   FluidLoads& loads);
 

@@ -25,6 +25,12 @@ double read_front(const GridSettings& settings, const GridState& state, const Ve
 struct Energy {
     double kinetic{0};
     Vec3 mass_moment{};
+
+    template <class By>
+    static void join(Energy& a, const Energy& b, const By& by) {
+        by.add(a.kinetic, b.kinetic);
+        by.add(a.mass_moment, b.mass_moment);
+    }
 };
 Energy read_energy(const GridSettings& settings, const GridState& state, const GridScratch& scratch);
 

@@ -105,9 +105,10 @@ void DeltaSph<Site>::update_density(ParticleState& state, const BoundaryParticle
                                      sums,
                                      corrections_,
                                      water_.bareness.columns()};
-    const Losses losses = Where::sum(state.blocks(), advance_one);
-    report.dissipated_diffusion = losses.diffusion;
-    report.shifted = losses.shifting;
+    const DensityUpdate update = Where::sum(state.blocks(), advance_one);
+    report.by_density = update.losses;
+    report.shifted = update.shifting;
+    report.volume = update.volume;
     site_.give_density(state);
 }
 

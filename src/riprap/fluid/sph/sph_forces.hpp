@@ -101,8 +101,9 @@ class SphForces : public Sph {
     /// Extrapolates the pressure of the fluid to wall particles and mirrors its velocity in them, from averages over
     /// fluid j [Adami2012, eqs. 22, 23, 27]:
     ///
-    ///     p_w = max(0, sum (p_j + rho_j (g - a_w).(x_w - x_j)) W / sum W),     u_w = 2 v_w - sum v_j W / sum W,
+    ///     p_w = max(0, sum (p_j + rho_j (g - a_w).(x_w - x_j)) W / sum W),     u_w = 2 v_f - sum v_j W / sum W,
     ///
+    /// v_f the velocity of the solid at the foot of w on its face,
     /// and finds the forces of the fluid on walls [N]: of pressure, and of viscosity where some are not slippery.
     /// Differs from the source: walls never pull.
     void load(const ParticleColumns& fluid, const WallColumns& walls, const Vec3& gravity) {

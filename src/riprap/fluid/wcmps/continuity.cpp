@@ -57,14 +57,17 @@ double damped_share(double standing) {
     return std::clamp((standing - damped_from) / (damped_whole - damped_from), 0.0, 1.0);
 }
 
-struct Losses {
-    double diffusion{0}, heat{0}, exchange{0};
+struct DensityUpdate {
+    DensityLosses losses;
+    double heat{0}, exchange{0};
+    VolumeBook volume;
 
     template <class By>
-    static void join(Losses& a, const Losses& b, const By& by) {
-        by.add(a.diffusion, b.diffusion);
+    static void join(DensityUpdate& a, const DensityUpdate& b, const By& by) {
+        by.add(a.losses, b.losses);
         by.add(a.heat, b.heat);
         by.add(a.exchange, b.exchange);
+        by.add(a.volume, b.volume);
     }
 };
 
@@ -219,13 +222,24 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
         // what leaves compression, m/rho_0 p/x dx, halfway between the values that forces see
         const double mean = 0.5 * (before + after);
         const double per_concentration = per_density * pressure_of(settings_, mean) / mean;
-        return Losses{-per_concentration * (spread + after - flown), heat,
-                      -per_concentration * dt * before * made.slip[i]};
+        DensityUpdate update{{-per_concentration * spread, -per_concentration * (after - bound), 0,
+                              -per_concentration * (bound - flown)},
+                             heat,
+                             -per_concentration * dt * before * made.slip[i],
+                             {}};
+        VolumeBook& volume = update.volume;
+        const double per_gain = -per_density / (before * after);
+        volume.diffusion = per_gain * spread;
+        volume.tearing = per_gain * (after - bound);
+        volume.returned = per_gain * (bound - flown);
+        volume.flow = per_gain * (after - before) - volume.sum();
+        return update;
     };
-    const Losses losses = parallel::sum(state.blocks(), advance_one);
-    report.dissipated_diffusion = losses.diffusion;
-    report.earlier_heat = losses.heat;
-    report.earlier_exchange = losses.exchange;
+    const DensityUpdate update = parallel::sum(state.blocks(), advance_one);
+    report.by_density = update.losses;
+    report.earlier_heat = update.heat;
+    report.earlier_exchange = update.exchange;
+    report.volume = update.volume;
 }
 
 }  // namespace riprap::fluid
