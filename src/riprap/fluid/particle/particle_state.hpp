@@ -6,6 +6,7 @@
 
 #include "riprap/core/fields.hpp"
 #include "riprap/core/range.hpp"
+#include "riprap/fluid/particle/flow_clock.hpp"
 
 namespace riprap::fluid {
 
@@ -22,6 +23,7 @@ struct ParticleState {
     std::vector<Vec3> shift;       ///< half of the last shift, due after the next update of density; empty = none [m]
     std::vector<std::int32_t> id;  ///< of the particle for life: 0 to size() - 1 at the start
     double max_acceleration{0};    ///< in the last step; limits the next [m/s^2]
+    FlowClock flow;                ///< of a scheme with two clocks
 
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
     /// Returns the particles whose motion this machine decides: all; others would follow as ghosts.
@@ -36,6 +38,7 @@ struct ParticleState {
             shift.emplace_back();
         }
         id.push_back(particle);
+        flow.clear();  // no geometry knows it
     }
 
     template <class Self, class Visit>
@@ -47,6 +50,7 @@ struct ParticleState {
         visit("fluid.shift", self.shift);
         visit("fluid.id", self.id);
         visit("fluid.max_acceleration", self.max_acceleration);
+        FlowClock::visit_fields(self.flow, visit);
     }
 };
 
