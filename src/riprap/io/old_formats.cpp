@@ -24,6 +24,15 @@ constexpr std::array later_fields{
     LaterField{"coupling.untold_way", 5, ""},
     LaterField{"coupling.untold_turn", 5, ""},
     LaterField{"gauges.shown", 6, ""},
+    LaterField{"fluid.flow_place", 6, ""},
+    LaterField{"fluid.flow_velocity", 6, ""},
+    LaterField{"fluid.flow_density", 6, ""},
+    LaterField{"fluid.flow_done", 6, ""},
+    LaterField{"fluid.flow_steps", 6, ""},
+    LaterField{"fluid.flow_span", 6, ""},
+    LaterField{"fluid.flow_travel", 6, ""},
+    LaterField{"fluid.flow_stamp", 6, ""},
+    LaterField{"run.renewals", 6, ""},
 };
 
 }  // namespace
