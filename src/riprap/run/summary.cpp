@@ -76,6 +76,7 @@ std::string summary_json(const Summary& summary) {
                     {"open_frictions", summary.counts.open_frictions},
                     {"steps_with_intruder", summary.counts.with_intruder},
                     {"water_through_walls", summary.counts.through_walls},
+                    {"sound_steps_mean", summary.counts.sound_steps(summary.steps)},
                     {"solver_iterations", summary.counts.solver_iterations},
                     {"solver_iterations_max", summary.counts.most_iterations},
                     {"solver_residual_max", summary.counts.worst_residual},

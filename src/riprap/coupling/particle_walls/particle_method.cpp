@@ -52,7 +52,12 @@ StepLimit ParticleMethod::limit() const {
 
 void ParticleMethod::tidy(std::int64_t step) {
     const fluid::ParticleSettings& settings = water_->settings();
-    if (step % settings.sort_interval == 0) {
+    const fluid::FlowClock& flow = state_.particles.flow;
+    if (flow.is_under_way()) {
+        return;  // its geometry goes by this order
+    }
+    // The first step behind a multiple of the interval that is not within a flow step.
+    if (step % settings.sort_interval < std::max<std::int64_t>(1, flow.steps)) {
         sort_by_place(state_.particles, settings.domain, settings.spacing);
     }
 }
@@ -77,18 +82,34 @@ void meet(const body::Motion& motion, ParticleScratch& scratch) {
     scratch.motion.stretch_rate.assign(motion.stretch_rate.size(), {});
 }
 
+/// Tells whether all that water meets stands still, for good.
+bool stays_as_it_is(const ParticleFluid& water, const WallBodies& bodies) {
+    return water.wall == WallTreatment::boundary_particles && water.open.empty() &&
+           std::all_of(bodies.is_still.begin(), bodies.is_still.end(), [](std::uint8_t is) { return is != 0; });
+}
+
 }  // namespace
 
 Outcome ParticleMethod::begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle,
-                              FluidStep& /*report*/) {
+                              FluidStep& report) {
     ParticleScratch& scratch = *scratch_;
     found_ = {};
-    const double since_density = 0.5 * (state_.coupling.previous_dt + span.dt);  // the first density is half a step old
+
+    double since_density = 0.5 * (state_.coupling.previous_dt + span.dt);  // the first density is half a step old
     meet(now, scratch);
-    find_near_samples(*scene_, *water_, state_, span.dt, scratch);
+    const Vec3 gravity = scene_->gravity.at(span.time);
+    const bool has_two_clocks = scratch.scheme->has_two_clocks();
+    double lasts = span.dt;
+    if (has_two_clocks) {
+        take_near_samples(state_.coupling, scratch);  // of the flow step before
+        place_walls(*scene_, *water_, state_.open, span.time, 0, scratch);
+        lasts = scratch.scheme->renew(state_.particles, scratch.walls, gravity, span,
+                                      stays_as_it_is(*water_, scratch.bodies), since_density, found_);
+    }
+    report.particles.renewals = has_two_clocks && lasts > 0 ? 1 : 0;
+    find_near_samples(*scene_, *water_, state_, span.dt, lasts, scratch);
     place_walls(*scene_, *water_, state_.open, span.time, 0, scratch);
-    scratch.scheme->update_density(state_.particles, scratch.walls, scene_->gravity.at(span.time), since_density,
-                                   found_);
+    scratch.scheme->update_density(state_.particles, scratch.walls, gravity, since_density, found_);
     fluid::drift(water_->settings(), state_.particles, 0.5 * span.dt);
 
     meet(middle, scratch);
@@ -130,6 +151,15 @@ void ParticleMethod::load(const TimeSpan& span, const body::Motion& middle, Flui
     }
 }
 
+namespace {
+
+/// Account of the book of volume; schemes that count their density, and do not carry it on, have nothing in it.
+constexpr Account volume_account(std::string_view name, std::string_view help) {
+    return {name, Balance::aside, Booking::since_kick, help, false, "m^3"};
+}
+
+}  // namespace
+
 std::span<const Account> ParticleMethod::accounts() {
     static constexpr std::array table{
         Account{"viscous", Balance::lost, Booking::across_kick,
@@ -137,8 +167,7 @@ std::span<const Account> ParticleMethod::accounts() {
         Account{"collisions", Balance::lost, Booking::across_kick, "by collisions of particles that come too near",
                 true},
         Account{"diffusion", Balance::lost, Booking::since_kick,
-                "by the diffusion of density and by tearing; may be negative for a while, as neither is a friction",
-                true},
+                "by the diffusion of density; may be negative for a while, as it is no friction", true},
         Account{"projection", Balance::lost, Booking::across_kick, "by a pressure that is solved for", true},
         Account{"shifting", Balance::lost, Booking::since_kick,
                 "potential energy and that of compression that shifting took away", true},
@@ -149,6 +178,20 @@ std::span<const Account> ParticleMethod::accounts() {
                 true},
         Account{"absorbed", Balance::given, Booking::across_kick, "by sponges"},
         Account{"flow_work", Balance::given, Booking::across_kick, "of pressure at inflows and outflows"},
+        Account{first_young_account, Balance::lost, Booking::since_kick,
+                "compression that surfaces and walls let go where water tears off (docs/theory/sph.md, 4)", true},
+        Account{"escape", Balance::lost, Booking::since_kick,
+                "sound that leaves water caught between walls (docs/theory/sph.md, 4)", true},
+        Account{"return", Balance::lost, Booking::since_kick,
+                "by the return of the density to that of the places (docs/theory/wcmps.md, 6)", true},
+        volume_account("volume_by_flow", "change of the volume m/rho of water by flow: how far it has spread"),
+        volume_account("volume_by_diffusion", "the same by the diffusion of density"),
+        volume_account("volume_by_tearing", "the same where surfaces tear; below zero: flow gives as much"),
+        volume_account("volume_by_walls", "the same where water leaves walls"),
+        volume_account("volume_by_escape", "the same where water is caught between walls"),
+        volume_account("volume_by_shifting", "the same by shifting"),
+        volume_account("volume_by_return", "the same by the return of the density to that of the places"),
+        volume_account("volume_refused", "what shifting left alone, as it would be tension; no part of the sum"),
     };
     return table;
 }
@@ -175,13 +218,24 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
     report.balance = of;
     report.own = {of.dissipated_viscous,
                   of.dissipated_collisions,
-                  of.dissipated_diffusion,
+                  of.by_density.diffusion,
                   of.pressure_loss,
                   of.shifted,
                   of.wall_exchange,
                   0,  // straining: known once the blocks have moved
                   absorbed,
-                  flow_work};
+                  flow_work,
+                  of.by_density.tearing,
+                  of.by_density.escape,
+                  of.by_density.returned,
+                  of.volume.flow,
+                  of.volume.diffusion,
+                  of.volume.tearing,
+                  of.volume.walls,
+                  of.volume.escape,
+                  of.volume.shifting,
+                  of.volume.returned,
+                  of.volume.refused};
     report.earlier = {of.earlier_heat, of.earlier_collisions, 0, 0, 0, of.earlier_exchange};
     report.particles.through_walls = scratch.penalty.passages();
     report.particles.intruder = find_intruder(scene_->bodies, *water_, scratch);
