@@ -24,7 +24,7 @@ bool check_steps_of(const char* what, const Tank& start) {
     std::printf("ten steps of %zu particles in %d dimensions, %zu of walls, %s\n", start.water.position.size(),
                 start.settings.domain.dimension, start.walls.position.size(), what);
     const auto books = [](const Tank& tank) {
-        const riprap::fluid::FluidReport& r = tank.report;
+        const riprap::fluid::ParticleReport& r = tank.report;
         return std::vector<double>{r.kinetic,          r.potential, r.internal,       r.dissipated_viscous,
                                    r.by_density.sum(), r.shifted,   r.work_on_solids, r.wall_exchange,
                                    r.work_external,    r.max_speed};

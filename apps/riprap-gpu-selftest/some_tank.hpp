@@ -13,7 +13,7 @@ struct Tank {
     riprap::fluid::BoundaryParticles walls;
     riprap::fluid::SparseVectors extra_force;
     riprap::Vec3 gravity{0.5, 0, -9.81};
-    riprap::fluid::FluidReport report;        ///< of the last step
+    riprap::fluid::ParticleReport report;     ///< of the last step
     riprap::fluid::WaterAtWalls about_walls;  ///< likewise
     double time{0};
 

@@ -18,7 +18,7 @@ struct Dam {
     Vec3 gravity{0, -9.81, 0};
     std::unique_ptr<ParticleScheme> scheme;
     double time{0}, last_dt{0}, given{0};
-    FluidReport report;
+    ParticleReport report;
     Vec3 impulse{};
 
     explicit Dam(const Settings& chosen = {}) : settings(chosen) {

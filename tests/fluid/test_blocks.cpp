@@ -67,7 +67,7 @@ struct Slosh {
 /// One step as the driver makes it.
 template <class Settings>
 void step(const Settings& settings, ParticleScheme& scheme, ParticleState& state, BoundaryParticles& walls,
-          const Vec3& gravity, double last_dt, double dt, FluidReport& report) {
+          const Vec3& gravity, double last_dt, double dt, ParticleReport& report) {
     const TimeSpan span{0, dt};
     scheme.update_density(state, walls, gravity, 0.5 * (last_dt + dt), report);
     drift(settings, state, 0.5 * dt);
@@ -102,7 +102,7 @@ struct Holder {
     std::unique_ptr<ParticleScheme> scheme;
     ParticleState state;
     BoundaryParticles walls;
-    FluidReport report;
+    ParticleReport report;
     std::vector<std::size_t> entity;   ///< in the State of the whole
     std::vector<std::uint8_t> is_own;  ///< per entity
 
@@ -193,7 +193,7 @@ void expect_bits_of_the_whole(const Settings& settings, bool is_periodic, std::s
             holder.take(whole.state, k == 0);
         }
         const double dt = scheme->limit(whole.state).limit;
-        FluidReport report;
+        ParticleReport report;
         step(whole.settings, *scheme, whole.state, whole.walls, whole.gravity, last_dt, dt, report);
         ASSERT_EQ(report.problem, "");
         double kinetic = 0;

@@ -78,7 +78,7 @@ Spun spin(double radius, bool has_feet) {
         walls.foot_velocity.push_back(swing(omega, foot));
     }
     const auto scheme = make_scheme(settings);
-    FluidReport report;
+    ParticleReport report;
     const TimeSpan span{0, 1e-9};
     scheme->update_density(state, walls, {}, 1e-9, report);
     scheme->begin_forces(state, walls, span, {}, report);

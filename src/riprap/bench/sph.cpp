@@ -29,7 +29,7 @@ class Steps {
         if (step_++ % s.sort_interval == 0) {
             sort_by_place(column_.water, s.domain, s.spacing);
         }
-        fluid::FluidReport report;
+        fluid::ParticleReport report;
         const double dt = scheme_.limit(column_.water).limit;
         const TimeSpan span{0, dt};
         const Vec3& g = column_.gravity;

@@ -31,7 +31,7 @@ class SchemeSteps {
         if (count_++ % s.sort_interval == 0) {
             sort_by_place(column_.water, s.domain, s.spacing);
         }
-        fluid::FluidReport report;
+        fluid::ParticleReport report;
         const double dt = scheme_->limit(column_.water).limit;
         const TimeSpan span{time_, dt};
         const Vec3& g = column_.gravity;

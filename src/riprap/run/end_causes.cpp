@@ -125,7 +125,7 @@ std::string higher_domain(const Refused& refused) {
     if (!(pull > 0) || gravity[up] > 0) {
         return "";
     }
-    const double speed = fastest_water(refused);
+    const double speed = fastest_fluid(refused);
     Vec3 high = domain->high;
     high[up] += speed * speed / (2 * pull) + 2 * sim::fluid_spacing(model);
     return domain->dimension == 2

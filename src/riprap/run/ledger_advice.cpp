@@ -76,7 +76,7 @@ std::string stiffer_blocks(const Refused& refused) {
 
 }  // namespace
 
-double fastest_water(const Refused& refused) {
+double fastest_fluid(const Refused& refused) {
     double fastest = 0;
     for (const Vec3& v : refused.before.fluid.velocity) {
         fastest = std::max(fastest, norm(v));
@@ -92,7 +92,7 @@ std::string faster_sound(const Refused& refused) {
         low = min(low, x);
         high = max(high, x);
     }
-    const double square = std::pow(fastest_water(refused), 2) + 2 * std::abs(dot(gravity, high - low));
+    const double square = std::pow(fastest_fluid(refused), 2) + 2 * std::abs(dot(gravity, high - low));
     const double speed = std::max(10 * std::sqrt(square), 2 * settings.sound_speed);
     return assignment("fluid.sound_speed", speed) + ", ten times the speed that the water may come to";
 }

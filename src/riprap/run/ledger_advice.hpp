@@ -22,7 +22,7 @@ std::string made_advice(const Refused& refused);
 /// whole height yet.
 std::string faster_sound(const Refused& refused);
 
-/// Speed of the fastest water, before and in the refused step [m/s].
-double fastest_water(const Refused& refused);
+/// Returns the speed of the fastest fluid, before and in the refused step [m/s].
+double fastest_fluid(const Refused& refused);
 
 }  // namespace riprap::run

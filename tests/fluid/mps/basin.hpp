@@ -23,7 +23,7 @@ struct Basin {
 
     double time{0}, last_dt{0};
     std::int64_t step_count{0};
-    FluidReport report;  ///< of the last step
+    ParticleReport report;  ///< of the last step
     double viscous{0}, collisions{0}, pressure_loss{0}, work_on_solids{0}, work_external{0};
     double booked_in_step{0};  ///< of these, in the last step: half of it comes after the kick
     Vec3 impulse{};

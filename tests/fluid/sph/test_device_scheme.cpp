@@ -59,7 +59,7 @@ Water heap(int dimension, bool is_turbulent, int layers = 8) {
 struct Outcome {
     SphSettings settings;
     ParticleState state;
-    FluidReport report;
+    ParticleReport report;
     Vec3 force{};
 };
 
@@ -178,7 +178,7 @@ TEST(DeviceScheme, needs_no_walls) {
 WaterAtWalls description(Water water, RunsOn where) {
     water.settings.runs_on = where;
     const std::unique_ptr<ParticleScheme> scheme = make_scheme(water.settings);
-    FluidReport report;
+    ParticleReport report;
     WaterAtWalls found;
     scheme->update_density(water.state, water.walls, water.gravity, 1e-4, report);
     scheme->begin_forces(water.state, water.walls, {0, 1e-4}, water.gravity, report);

@@ -27,7 +27,7 @@ struct Water {
     std::unique_ptr<ParticleScheme> scheme;  ///< of the settings as its first use finds them
 
     double time{0}, last_dt{0};
-    FluidReport report;  ///< of the last step
+    ParticleReport report;  ///< of the last step
     double dissipated_viscous{0}, dissipated_diffusion{0}, shifted{0}, work_on_solids{0}, wall_exchange{0},
         work_external{0};
     Vec3 impulse{};

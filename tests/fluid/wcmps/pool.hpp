@@ -31,7 +31,7 @@ struct Pool {
 
     double time{0}, last_dt{0};
     std::int64_t step_count{0};
-    FluidReport report;  ///< of the last step
+    ParticleReport report;  ///< of the last step
     double viscous{0}, diffusion{0}, collisions{0}, shifted{0}, work_on_solids{0}, wall_exchange{0}, work_external{0};
     Vec3 impulse{};
 

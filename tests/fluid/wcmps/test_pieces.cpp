@@ -98,7 +98,7 @@ double momentum_gap(int dimension) {
     }
     fluid::BoundaryParticles none;
     fluid::Wcmps scheme(settings);
-    fluid::FluidReport report;
+    fluid::ParticleReport report;
     const TimeSpan span{0, scheme.limit(state).limit};
     scheme.update_density(state, none, {}, span.dt, report);
     scheme.begin_forces(state, none, span, {}, report);

@@ -214,7 +214,7 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
     const double flow_work = span.dt * power_on_openings(scratch.walls, scratch.near_numbers.size());
     found_.work_on_solids -= flow_work;  // layers of openings are walls to the scheme, and sponges extra forces
     found_.work_external += absorbed;
-    const fluid::FluidReport& of = found_;
+    const fluid::ParticleReport& of = found_;
     report.balance = of;
     report.own = {of.dissipated_viscous,
                   of.dissipated_collisions,

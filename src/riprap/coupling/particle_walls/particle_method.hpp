@@ -87,7 +87,7 @@ class ParticleMethod final : public FluidMethod {
     const ParticleFluid* water_;
     FluidState state_;
     ParticleScratch* scratch_;
-    fluid::FluidReport found_;  ///< by the scheme, over the span
+    fluid::ParticleReport found_;  ///< by the scheme, over the span
 };
 
 }  // namespace riprap::coupling

@@ -121,7 +121,7 @@ FluidTimeStep Mps::limit(const ParticleState& state) const {
 }
 
 void Mps::begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
-                       FluidReport& report) {
+                       ParticleReport& report) {
     span_ = span;
     solved_ = {};
     problem_.clear();
@@ -152,7 +152,7 @@ void Mps::load_walls(const ParticleState& state, BoundaryParticles& walls, const
 }
 
 void Mps::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-               const SparseVectors& extra_force, FluidReport& report) {
+               const SparseVectors& extra_force, ParticleReport& report) {
     report.solver_iterations = solved_.iterations;
     report.solver_residual = solved_.residual;
     report.problem = problem_;

@@ -28,10 +28,10 @@ class Mps : public ParticleScheme, public SolvesForBodies {
     /// courant l_0 over the fastest speed, at least the expected one, and 0.125 l_0^2/nu.
     FluidTimeStep limit(const ParticleState& state) const override;
     /// Density is counted at r**.
-    void update_density(ParticleState&, const BoundaryParticles&, const Vec3&, double, FluidReport&) override {}
+    void update_density(ParticleState&, const BoundaryParticles&, const Vec3&, double, ParticleReport&) override {}
     /// Changes velocities to u** and sets up the pressure equation.
     void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
-                      FluidReport& report) override;
+                      ParticleReport& report) override;
     /// Describes the water about the walls as begin_forces found it, with the pressure of the step before.
     void describe_walls(const Vec3& gravity, WaterAtWalls& water) const override;
     /// Solves for the pressure with walls that move as they say now, and loads them.
@@ -43,7 +43,7 @@ class Mps : public ParticleScheme, public SolvesForBodies {
     /// energy is zero here; `pressure_loss` is minus the work of pressure on fluid and walls together: nothing in an
     /// incompressible continuum.
     void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-              const SparseVectors& extra_force, FluidReport& report) override;
+              const SparseVectors& extra_force, ParticleReport& report) override;
     std::size_t bytes() const override { return scratch_.bytes(); }
 
     /// 1 for particles of the surface as begin_forces found them, where pressure is zero.

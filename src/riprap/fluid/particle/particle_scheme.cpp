@@ -41,7 +41,7 @@ void drift(const ParticleSettings& settings, ParticleState& state, double dt) {
     });
 }
 
-void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report) {
+void book_walls(const BoundaryParticles& walls, double dt, ParticleReport& report) {
     const std::span<const Vec3> at_face = walls.at_face();
     const auto one = [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);

@@ -34,7 +34,7 @@ struct FluidTimeStep {
 ///
 /// stays the same (docs/theory/sph.md, 6), where kinetic is sum m v_n.v_(n+1)/2 and work_external that of extra forces
 /// and of gravity along periodic axes.
-struct FluidReport : FluidBalance {
+struct ParticleReport : FluidBalance {
     double dissipated_viscous{0};     ///< in this step, pair by pair never negative within the fluid
     double dissipated_collisions{0};  ///< in this step, by collisions of particles with each other and with walls
     DensityLosses by_density;         ///< in this step, by what changes density besides flow and shifting
@@ -89,7 +89,8 @@ class ParticleScheme {
     /// @param since  time by which update_density is to carry the density; less, where this has carried it already [s]
     /// @returns how long they are to last; 0 where they are kept [s]
     virtual double renew(ParticleState& /*state*/, const BoundaryParticles& /*walls*/, const Vec3& /*gravity*/,
-                         const TimeSpan& span, bool /*are_walls_still*/, double& /*since*/, FluidReport& /*report*/) {
+                         const TimeSpan& span, bool /*are_walls_still*/, double& /*since*/,
+                         ParticleReport& /*report*/) {
         return span.dt;
     }
     /// Has the scheme two clocks (FlowClock)?
@@ -97,11 +98,11 @@ class ParticleScheme {
     /// Carries the density to the middle of the step.
     /// @param dt  from density to density: (dt_(n-1) + dt_n)/2, dt_0/2 in the first step [s]
     virtual void update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                                FluidReport& report) = 0;
+                                ParticleReport& report) = 0;
     /// Finds the forces within the fluid and its averages at the walls. Where a particle is not sound report.problem
     /// says so and nothing is changed.
     virtual void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
-                              const Vec3& gravity, FluidReport& report) = 0;
+                              const Vec3& gravity, ParticleReport& report) = 0;
     /// Describes the water about the walls as begin_forces found it, under this gravity.
     virtual void describe_walls(const Vec3& gravity, WaterAtWalls& water) const = 0;
     /// Finds the pressure at walls that move as they say now, and their loads.
@@ -110,7 +111,7 @@ class ParticleScheme {
     /// says so.
     /// @param extra_force  on each particle, from penalty walls and the like [N]
     virtual void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                      const SparseVectors& extra_force, FluidReport& report) = 0;
+                      const SparseVectors& extra_force, ParticleReport& report) = 0;
     /// Returns the scheme as one that solves for its pressure and the accelerations of bodies at once; nullptr where it
     /// does not.
     virtual SolvesForBodies* for_bodies() { return nullptr; }
@@ -122,6 +123,6 @@ class ParticleScheme {
 void drift(const ParticleSettings& settings, ParticleState& state, double dt);
 
 /// Books impulse and work between fluid and walls from the forces on wall particles.
-void book_walls(const BoundaryParticles& walls, double dt, FluidReport& report);
+void book_walls(const BoundaryParticles& walls, double dt, ParticleReport& report);
 
 }  // namespace riprap::fluid

@@ -26,7 +26,7 @@ std::int64_t first_unsound(const ParticleState& state, const IsSound& is_sound) 
     return first == none ? -1 : first;
 }
 
-void describe(const ParticleState& state, std::int64_t id, double time, const char* what, FluidReport& report) {
+void describe(const ParticleState& state, std::int64_t id, double time, const char* what, ParticleReport& report) {
     if (id < 0) {
         return;
     }
@@ -42,7 +42,7 @@ void describe(const ParticleState& state, std::int64_t id, double time, const ch
 }  // namespace
 
 void find_lost_particle(const ParticleSettings& settings, const ParticleState& state, double time,
-                        FluidReport& report) {
+                        ParticleReport& report) {
     describe(state,
              first_unsound(state,
                            [&](std::size_t i) {
@@ -62,7 +62,7 @@ void find_lost_particle(const ParticleSettings& settings, const ParticleState& s
 }
 
 void find_wild_particle(const ParticleSettings& settings, const ParticleState& state, double time,
-                        FluidReport& report) {
+                        ParticleReport& report) {
     const double limit = settings.sound_speed * settings.sound_speed;
     describe(state, first_unsound(state, [&](std::size_t i) { return norm_squared(state.velocity[i]) <= limit; }), time,
              "is faster than the sound speed of the model", report);

@@ -23,12 +23,12 @@ class DeltaSph : public SphForces<WendlandC2, Site> {
         : Base(settings, WendlandC2(settings.smoothing_length(), settings.domain.dimension)) {}
 
     void update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                        FluidReport& report) override;
+                        ParticleReport& report) override;
     void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
-                      FluidReport& report) override;
+                      ParticleReport& report) override;
     void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
     void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-              const SparseVectors& extra_force, FluidReport& report) override;
+              const SparseVectors& extra_force, ParticleReport& report) override;
 
  protected:
     using Base::at_walls_, Base::corrections_, Base::forces_, Base::kernel_, Base::make_room, Base::settings_,
@@ -39,7 +39,7 @@ class DeltaSph : public SphForces<WendlandC2, Site> {
     /// Finds the fields that the sums of forces read, from densities and the sums of Continuity.
     void prepare_forces(const ParticleColumns& fluid);
     void shift(const parallel::Blocks& blocks, const ParticleColumns& fluid, const Vec3& gravity, double dt,
-               FluidReport& report);
+               ParticleReport& report);
 
     // The transposed half of the viscous stress, of viscosities that have it (transposed_forces.hpp).
 
@@ -81,7 +81,7 @@ DensitySums DeltaSph<Site>::sum_continuity(const ParticleColumns& fluid, const W
 
 template <class Site>
 void DeltaSph<Site>::update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                                    double dt, FluidReport& report) {
+                                    double dt, ParticleReport& report) {
     site_.take(reach_of(settings_), state, walls);
     const ParticleColumns fluid = site_.water(state);
     this->find_pressure(fluid);
@@ -135,7 +135,7 @@ void DeltaSph<Site>::prepare_forces(const ParticleColumns& fluid) {
 
 template <class Site>
 void DeltaSph<Site>::begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
-                                  const Vec3& /*gravity*/, FluidReport& report) {
+                                  const Vec3& /*gravity*/, ParticleReport& report) {
     find_lost_particle(settings_, state, span.time, report);
     if (!report.problem.empty()) {
         return;
@@ -166,7 +166,7 @@ void DeltaSph<Site>::load_walls(const ParticleState& state, BoundaryParticles& w
 
 template <class Site>
 void DeltaSph<Site>::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                          const TimeSpan& span, const SparseVectors& extra_force, FluidReport& report) {
+                          const TimeSpan& span, const SparseVectors& extra_force, ParticleReport& report) {
     const Vec3 pull = in_plane(gravity, settings_.domain);
     const ParticleColumns fluid = site_.water(state);
     const WallColumns solid = site_.walls(walls);
@@ -180,7 +180,7 @@ void DeltaSph<Site>::kick(ParticleState& state, const BoundaryParticles& walls, 
 
 template <class Site>
 void DeltaSph<Site>::shift(const parallel::Blocks& blocks, const ParticleColumns& fluid, const Vec3& gravity, double dt,
-                           FluidReport& report) {
+                           ParticleReport& report) {
     if (settings_.shifting == 0) {
         return;
     }

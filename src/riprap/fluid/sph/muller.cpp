@@ -40,7 +40,7 @@ void Muller::sum_density(ParticleState& state, const BoundaryParticles& walls) {
 }
 
 void Muller::begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
-                          const Vec3& /*gravity*/, FluidReport& report) {
+                          const Vec3& /*gravity*/, ParticleReport& report) {
     find_lost_particle(settings_, state, span.time, report);
     if (!report.problem.empty()) {
         return;
@@ -66,7 +66,7 @@ void Muller::load_walls(const ParticleState& state, BoundaryParticles& walls, co
 }
 
 void Muller::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                  const SparseVectors& extra_force, FluidReport& report) {
+                  const SparseVectors& extra_force, ParticleReport& report) {
     add_forces_from_walls(site_.water(state), site_.walls(walls));
     finish_kick(state, walls, in_plane(gravity, settings_.domain), span, extra_force, report);
 }

@@ -16,12 +16,12 @@ class Muller final : public SphForces<SpikyKernel, WaterInPlace> {
         : SphForces(settings, SpikyKernel(settings.support_radius(), settings.domain.dimension)) {}
 
     /// Density is summed with the forces.
-    void update_density(ParticleState&, const BoundaryParticles&, const Vec3&, double, FluidReport&) override {}
+    void update_density(ParticleState&, const BoundaryParticles&, const Vec3&, double, ParticleReport&) override {}
     void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
-                      FluidReport& report) override;
+                      ParticleReport& report) override;
     void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
     void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-              const SparseVectors& extra_force, FluidReport& report) override;
+              const SparseVectors& extra_force, ParticleReport& report) override;
     std::size_t bytes() const override { return SphForces::bytes() + mass_.bytes() + wall_mass_.bytes(); }
 
  private:

@@ -38,7 +38,7 @@ FluidTimeStep Sph::limit(const ParticleState& state) const {
 }
 
 void Sph::book_kick(std::int64_t count, const Vec3& gravity, double dt, const KickSums& sums,
-                    FluidReport& report) const {
+                    ParticleReport& report) const {
     report.kinetic = sums.kinetic;
     book_potential(gravity, sums.mass_moment, settings_.domain, report);
     report.dissipated_viscous = dt * sums.heat;
@@ -52,7 +52,7 @@ void Sph::book_kick(std::int64_t count, const Vec3& gravity, double dt, const Ki
     report.max_acceleration = std::sqrt(sums.acceleration_squared);
 }
 
-void Sph::book_compression(const ParticleState& state, FluidReport& report) const {
+void Sph::book_compression(const ParticleState& state, ParticleReport& report) const {
     const auto energy_of = [&](std::int64_t i) {
         return settings_.particle_mass * internal_energy_of(settings_, state.density[static_cast<std::size_t>(i)]);
     };

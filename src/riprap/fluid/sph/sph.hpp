@@ -25,9 +25,10 @@ class Sph : public ParticleScheme {
 
  protected:
     /// Books what a kick added up.
-    void book_kick(std::int64_t count, const Vec3& gravity, double dt, const KickSums& sums, FluidReport& report) const;
+    void book_kick(std::int64_t count, const Vec3& gravity, double dt, const KickSums& sums,
+                   ParticleReport& report) const;
     /// Books the energy of compression at the densities that the forces saw.
-    void book_compression(const ParticleState& state, FluidReport& report) const;
+    void book_compression(const ParticleState& state, ParticleReport& report) const;
 
     SphSettings settings_;
 };

@@ -123,7 +123,7 @@ class SphForces : public Sph {
     }
     /// Kicks the fluid by the forces found, and books the step.
     void finish_kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                     const SparseVectors& extra_force, FluidReport& report) {
+                     const SparseVectors& extra_force, ParticleReport& report) {
         const auto extra = site_.extra(extra_force, state.position.size());
         using Extra = std::remove_const_t<decltype(extra)>;
         const ParticleColumns fluid = site_.water(state);

@@ -176,7 +176,7 @@ void Wcmps::find_wall_shares(const BoundaryParticles& walls) {
 }
 
 void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                           FluidReport& report) {
+                           ParticleReport& report) {
     const Vec3 pull = in_plane(gravity, settings_.domain);
     lists_.place(reach_of(settings_), state.blocks(), state.position, walls.position);
     find_pressure(state);

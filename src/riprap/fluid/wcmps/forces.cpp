@@ -67,7 +67,7 @@ void Wcmps::extrapolate_to_walls(BoundaryParticles& walls, const Vec3& gravity) 
 }
 
 void Wcmps::begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
-                         const Vec3& /*gravity*/, FluidReport& report) {
+                         const Vec3& /*gravity*/, ParticleReport& report) {
     find_lost_particle(settings_, state, span.time, report);
     if (!report.problem.empty()) {
         return;

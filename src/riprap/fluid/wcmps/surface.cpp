@@ -114,7 +114,7 @@ bool Wcmps::find_collisions(const ParticleState& state) {
     return true;
 }
 
-void Wcmps::shift(ParticleState& state, const Vec3& gravity, double dt, FluidReport& report) const {
+void Wcmps::shift(ParticleState& state, const Vec3& gravity, double dt, ParticleReport& report) const {
     if (settings_.shifting == 0) {
         report.max_shift = 0;
         return;

@@ -67,7 +67,7 @@ FluidTimeStep Wcmps::limit(const ParticleState& state) const {
 // and half of what the step's acceleration gives to c, as places and densities never saw it. Forces work along v before
 // the kick and along v_(n+1) after it.
 void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt, bool collides,
-                           const SparseVectors& extra_force, FluidReport& report) const {
+                           const SparseVectors& extra_force, ParticleReport& report) const {
     const double m = settings_.particle_mass, resistance = m / settings_.rest_density * resistance_to_sound();
     const double divergence = -lattice_.first_order(), factor = force_factor();
     const Vec3 along = gravity - without_periodic(gravity, settings_.domain);
@@ -116,7 +116,7 @@ void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt,
 }
 
 void Wcmps::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                 const SparseVectors& extra_force, FluidReport& report) {
+                 const SparseVectors& extra_force, ParticleReport& report) {
     const Vec3 pull = in_plane(gravity, settings_.domain);
     add_walls(state, walls);
     classify(state);

@@ -28,15 +28,15 @@ class Wcmps : public ParticleScheme {
     FluidTimeStep limit(const ParticleState& state) const override;
     /// Changes the density by continuity, diffusion and tearing.
     void update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                        FluidReport& report) override;
+                        ParticleReport& report) override;
     void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
-                      FluidReport& report) override;
+                      ParticleReport& report) override;
     void describe_walls(const Vec3& gravity, WaterAtWalls& water) const override;
     /// Loads walls with WallLoads::pressure_area where walls.outward_area is given, else by the reaction of the pair
     /// sums.
     void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
     void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-              const SparseVectors& extra_force, FluidReport& report) override;
+              const SparseVectors& extra_force, ParticleReport& report) override;
     std::size_t bytes() const override;
 
     /// Classes of all particles as the last kick found them.
@@ -96,11 +96,11 @@ class Wcmps : public ParticleScheme {
     /// ends one of pairs at 0.8 l_0, which are twice as stiff: more would turn it over. u is how fast neighbours pass
     /// each other, where the source takes the fastest particle of all, see docs/theory/wcmps.md, 6. The first half is
     /// made at once, the second after the next update of density. Class B and F along the surface only, E not.
-    void shift(ParticleState& state, const Vec3& gravity, double dt, FluidReport& report) const;
+    void shift(ParticleState& state, const Vec3& gravity, double dt, ParticleReport& report) const;
 
     /// v += collision + dt (force + extra force)/m + dt g, and the report of all that belongs to particles.
     void kick_particles(ParticleState& state, const Vec3& gravity, double dt, bool collides,
-                        const SparseVectors& extra_force, FluidReport& report) const;
+                        const SparseVectors& extra_force, ParticleReport& report) const;
 
     WcmpsSettings settings_;
     MpsWeight weight_;
