@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "coupling/tank_scenes.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
@@ -188,6 +190,50 @@ TEST(RigidMap, a_view_of_some_samples_is_placed_and_gathered_as_a_set_of_them_is
     gather(copied, f.motion, of_copy.position, push, loads_of_copy);
     EXPECT_EQ(loads.force, loads_of_copy.force);
     EXPECT_EQ(loads.torque, loads_of_copy.torque);
+}
+
+/// Pieces of a sum go by the numbers of samples: which others are near water changes no bit of it.
+TEST(RigidMap, loads_of_a_large_body_do_not_depend_on_which_samples_are_left_out) {
+    test::Scene scene;
+    scene.add(geometry::cube(0.1), {{3, 0, 0}, {}});
+    scene.add(geometry::box({2.1, 1.5, 1.2}), {{1, 2, 3}, from_rotation_vector({0.1, 0.7, -0.4})});
+    scene.add(geometry::cube(0.3), {{-1, 0, 0.5}, {}});
+    SampleSettings settings;
+    settings.spacing = 0.05;
+    settings.reach = 0.15;
+    settings.domain = {{-9, -9, -9}, {9, 9, 9}, {}, 3};
+    settings.limit = 100'000;
+    const SampleSet samples = sample_shapes(scene.shapes, scene.bodies, scene.state, settings);
+    ASSERT_GT(samples.size(), 3 * 4096);
+    body::Motion motion;
+    for (std::size_t b = 0; b < 3; ++b) {
+        motion.pose.push_back({scene.state.position[b], scene.state.orientation[b]});
+    }
+    motion.velocity = motion.angular_velocity = motion.acceleration = motion.angular_acceleration =
+        std::vector<Vec3>(3);
+    fluid::BoundaryParticles all;
+    place_samples(samples, motion, all);
+    std::mt19937_64 random(3);
+    std::vector<std::int32_t> near;
+    std::vector<Vec3> force, force_near, place_near;
+    for (std::int32_t s = 0; s < samples.size(); ++s) {
+        const auto i = static_cast<std::size_t>(s);
+        const bool is_near = random() % 3 != 0 && (s < 5000 || s > 9000);
+        force.push_back(is_near ? Vec3{std::sin(1.0 * s), std::cos(3.0 * s), std::exp(std::sin(7.0 * s))} : Vec3{});
+        if (is_near) {
+            near.push_back(s);
+            force_near.push_back(force[i]);
+            place_near.push_back(all.position[i]);
+        }
+    }
+    body::Loads whole, part;
+    gather(samples, motion, all.position, force, whole);
+    gather(SampleView(samples, near), motion, place_near, force_near, part);
+    for (std::size_t b = 0; b < 3; ++b) {
+        EXPECT_EQ(whole.force[b], part.force[b]) << b;
+        EXPECT_EQ(whole.torque[b], part.torque[b]) << b;
+        EXPECT_GT(norm(part.force[b]), 0) << b;
+    }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,10 +15,12 @@ namespace riprap::coupling {
 /// Findings of a step that particles alone report; those of other fluids stay empty.
 struct ParticleFindings {
     WallPassages through_walls;
-    std::string intruder;  ///< a moving body among the layers of an opening, and which; empty = none
+    std::string intruder;      ///< a moving body among the layers of an opening, and which; empty = none
+    std::int64_t renewals{0};  ///< of the geometry of water with two clocks (fluid::FlowClock)
 
     void add(const ParticleFindings& more) {
         through_walls.add(more.through_walls);
+        renewals += more.renewals;
         if (intruder.empty()) {
             intruder = more.intruder;
         }

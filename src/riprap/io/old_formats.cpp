@@ -23,6 +23,16 @@ constexpr std::array later_fields{
     LaterField{"coupling.missed_turn", 5, ""},
     LaterField{"coupling.untold_way", 5, ""},
     LaterField{"coupling.untold_turn", 5, ""},
+    LaterField{"gauges.shown", 6, ""},
+    LaterField{"fluid.flow_place", 6, ""},
+    LaterField{"fluid.flow_velocity", 6, ""},
+    LaterField{"fluid.flow_density", 6, ""},
+    LaterField{"fluid.flow_done", 6, ""},
+    LaterField{"fluid.flow_steps", 6, ""},
+    LaterField{"fluid.flow_span", 6, ""},
+    LaterField{"fluid.flow_travel", 6, ""},
+    LaterField{"fluid.flow_stamp", 6, ""},
+    LaterField{"run.renewals", 6, ""},
 };
 
 }  // namespace
@@ -35,9 +45,10 @@ const LaterField* later_field(std::uint32_t version, std::string_view name) {
 }
 
 std::string_view writer_of(std::uint32_t version) {
-    constexpr std::array<std::string_view, 6> writers{
+    constexpr std::array<std::string_view, 7> writers{
         "no Riprap",
         "Riprap 0.1 and 0.2",
+        "a Riprap on the way to 0.3",
         "a Riprap on the way to 0.3",
         "a Riprap on the way to 0.3",
         "a Riprap on the way to 0.3",

@@ -112,6 +112,12 @@ void check_openings(const io::Checkpoint& checkpoint, const coupling::ParticleFl
         open.velocity.size() != layers || open.outflow.size() != layers || static_cast<std::int64_t>(count) > most) {
         refuse(checkpoint, "the fields of the water differ in length");
     }
+    const fluid::FlowClock& flow = water.flow;
+    const std::size_t frozen = flow.place.size();
+    if ((frozen != 0 && frozen != count) || flow.velocity.size() != frozen || flow.density.size() != frozen ||
+        flow.done < 0 || flow.steps < flow.done || (flow.is_under_way() && frozen != count)) {
+        refuse(checkpoint, "the flow step of the water has other particles, or is over before it began");
+    }
     const auto is_negative = [](std::int64_t n) { return n < 0; };
     for (const auto* counts : {&open.layers, &open.entered, &open.left}) {
         if (std::any_of(counts->begin(), counts->end(), is_negative)) {
@@ -137,7 +143,8 @@ sim::State restore_state(const io::Checkpoint& checkpoint, const sim::Model& mod
     const coupling::ParticleFluid* const water = model.particles();
     const bool is_open = water != nullptr;  // what splashes out of the domain is let go
     const auto has_fixed_length = [is_open](std::string_view name) {
-        return name.starts_with("body.") || (!is_open && name.starts_with("fluid.") && name != "fluid.shift") ||
+        return name.starts_with("body.") ||
+               (!is_open && name.starts_with("fluid.") && name != "fluid.shift" && !name.starts_with("fluid.flow_")) ||
                (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "open.layers" ||
                name == "open.entered" || name == "open.left";
     };
@@ -153,6 +160,11 @@ sim::State restore_state(const io::Checkpoint& checkpoint, const sim::Model& mod
     const NonFinite wrong = find_non_finite(state);
     if (!wrong.name.empty()) {
         refuse(checkpoint, fmt::format("{}{}[{}] is not a finite number", prefix, wrong.name, wrong.entry));
+    }
+    const std::size_t shown = state.gauges.shown.size();
+    if (shown != 0 && shown != 3 * model.output.gauges.size()) {
+        refuse(checkpoint, fmt::format("section '{}gauges.shown' has {} entries, the case has {} gauges", prefix, shown,
+                                       model.output.gauges.size()));
     }
     if (state.step < 0 || state.time < 0) {
         refuse(checkpoint, "time or step is negative");

@@ -18,6 +18,7 @@ struct StepCounts {
     std::int64_t open_frictions{0};      ///< such contacts, all steps
     std::int64_t with_intruder{0};       ///< with a moving body behind an opening
     std::int64_t through_walls{0};       ///< particles of water that went through bodies, all steps
+    std::int64_t renewals{0};            ///< of the geometry of water with two clocks, all steps
     std::int64_t solver_iterations{0};   ///< of the water's pressure equation, all steps
     std::int64_t most_iterations{0};     ///< in one step
     double worst_residual{0};            ///< of that equation over its right-hand side [-]
@@ -25,6 +26,10 @@ struct StepCounts {
     double shortest{0};                  ///< that which meets the end not counted; 0 before there is one [s]
 
     void add(const sim::StepReport& report, bool meets_end);
+    /// Sound steps to a flow step, in the mean: 1 with one clock [-].
+    double sound_steps(std::int64_t steps) const {
+        return renewals > 0 ? static_cast<double>(steps) / static_cast<double>(renewals) : 1;
+    }
 
     template <class Self, class Visit>
     static void visit_fields(Self& self, Visit&& visit) {
@@ -34,6 +39,7 @@ struct StepCounts {
         visit("run.open_frictions", self.open_frictions);
         visit("run.steps_with_intruder", self.with_intruder);
         visit("run.water_through_walls", self.through_walls);
+        visit("run.renewals", self.renewals);
         visit("run.solver_iterations", self.solver_iterations);
         visit("run.most_iterations", self.most_iterations);
         visit("run.worst_residual", self.worst_residual);

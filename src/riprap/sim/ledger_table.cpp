@@ -48,8 +48,10 @@ constexpr std::array of_every_fluid{
     FluidLine{"fluid.internal", Balance::stored, &FluidLedger::internal, "of compression"},
     FluidLine{"fluid.work_on_solids", Balance::given, &FluidLedger::work_on_solids,
               "work on bodies, driven ones too, since time 0: negative where a paddle makes waves"},
-    FluidLine{"fluid.external", Balance::gained, &FluidLedger::work_external,
-              "work of gravity along periodic axes, of penalty walls and of water in joints, since time 0"},
+    FluidLine{
+        "fluid.external", Balance::gained, &FluidLedger::work_external,
+        "work of gravity along periodic axes, of what changes gravity, of penalty walls and of water in joints, since "
+        "time 0"},
     FluidLine{"fluid.transported", Balance::gained, &FluidLedger::transported,
               "energy of fluid that came in less that of fluid that left, since time 0"},
 };

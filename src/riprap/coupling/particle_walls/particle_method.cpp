@@ -52,7 +52,12 @@ StepLimit ParticleMethod::limit() const {
 
 void ParticleMethod::tidy(std::int64_t step) {
     const fluid::ParticleSettings& settings = water_->settings();
-    if (step % settings.sort_interval == 0) {
+    const fluid::FlowClock& flow = state_.particles.flow;
+    if (flow.is_under_way()) {
+        return;  // its geometry goes by this order
+    }
+    // The first step behind a multiple of the interval that is not within a flow step.
+    if (step % settings.sort_interval < std::max<std::int64_t>(1, flow.steps)) {
         sort_by_place(state_.particles, settings.domain, settings.spacing);
     }
 }
@@ -77,18 +82,34 @@ void meet(const body::Motion& motion, ParticleScratch& scratch) {
     scratch.motion.stretch_rate.assign(motion.stretch_rate.size(), {});
 }
 
+/// Tells whether all that water meets stands still, for good.
+bool stays_as_it_is(const ParticleFluid& water, const WallBodies& bodies) {
+    return water.wall == WallTreatment::boundary_particles && water.open.empty() &&
+           std::all_of(bodies.is_still.begin(), bodies.is_still.end(), [](std::uint8_t is) { return is != 0; });
+}
+
 }  // namespace
 
 Outcome ParticleMethod::begin(const TimeSpan& span, const body::Motion& now, const body::Motion& middle,
-                              FluidStep& /*report*/) {
+                              FluidStep& report) {
     ParticleScratch& scratch = *scratch_;
     found_ = {};
-    const double since_density = 0.5 * (state_.coupling.previous_dt + span.dt);  // the first density is half a step old
+
+    double since_density = 0.5 * (state_.coupling.previous_dt + span.dt);  // the first density is half a step old
     meet(now, scratch);
-    find_near_samples(*scene_, *water_, state_, span.dt, scratch);
+    const Vec3 gravity = scene_->gravity.at(span.time);
+    const bool has_two_clocks = scratch.scheme->has_two_clocks();
+    double lasts = span.dt;
+    if (has_two_clocks) {
+        take_near_samples(state_.coupling, scratch);  // of the flow step before
+        place_walls(*scene_, *water_, state_.open, span.time, 0, scratch);
+        lasts = scratch.scheme->renew(state_.particles, scratch.walls, gravity, span,
+                                      stays_as_it_is(*water_, scratch.bodies), since_density, found_);
+    }
+    report.particles.renewals = has_two_clocks && lasts > 0 ? 1 : 0;
+    find_near_samples(*scene_, *water_, state_, span.dt, lasts, scratch);
     place_walls(*scene_, *water_, state_.open, span.time, 0, scratch);
-    scratch.scheme->update_density(state_.particles, scratch.walls, scene_->gravity.at(span.time), since_density,
-                                   found_);
+    scratch.scheme->update_density(state_.particles, scratch.walls, gravity, since_density, found_);
     fluid::drift(water_->settings(), state_.particles, 0.5 * span.dt);
 
     meet(middle, scratch);

@@ -160,7 +160,7 @@ double power_at_seams(const FluidScene& scene, const ParticleFluid& water, const
 }
 
 void find_near_samples(const FluidScene& scene, const ParticleFluid& water, const FluidState& state, double dt,
-                       ParticleScratch& scratch) {
+                       double lasts, ParticleScratch& scratch) {
     if (water.samples.size() == 0) {
         return;
     }
@@ -168,16 +168,21 @@ void find_near_samples(const FluidScene& scene, const ParticleFluid& water, cons
     const fluid::ParticleSettings& settings = water.settings();
     const std::vector<std::uint8_t>& is_loose = scratch.bodies.is_loose;
     const double margin = 2 * settings.spacing;
-    const double ahead = 0.5 * dt *
-                         std::max(fastest_of(state.particles),
-                                  speed_of_joints(water, is_loose, scene.bodies, state.bodies, scratch.joints));
+    const double fastest = std::max(fastest_of(state.particles),
+                                    speed_of_joints(water, is_loose, scene.bodies, state.bodies, scratch.joints));
+    const double ahead = 0.5 * dt * fastest;
+    const double most = lasts > dt ? 1.5 * lasts * fastest : ahead;  // as fast as that water is before it is looked at
     const bool is_other_order =
         scratch.near_numbers != coupling.near_samples && !are_whole_fours(coupling.near_samples, water.samples.size());
-    if (coupling.near_travel < 0 || coupling.near_travel + ahead > margin || is_other_order) {
-        coupling.near_samples = find_samples(water, scene.bodies, state.particles.position, margin + ahead, scratch);
+    if (lasts > 0 && (coupling.near_travel < 0 || coupling.near_travel + most > margin || is_other_order)) {
+        coupling.near_samples = find_samples(water, scene.bodies, state.particles.position, margin + most, scratch);
         coupling.near_travel = 0;
     }
     coupling.near_travel += ahead;
+    take_near_samples(coupling, scratch);
+}
+
+void take_near_samples(const CouplingState& coupling, ParticleScratch& scratch) {
     if (scratch.near_numbers != coupling.near_samples) {
         scratch.near_numbers = coupling.near_samples;
         scratch.walls = {};

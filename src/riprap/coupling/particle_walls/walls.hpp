@@ -20,8 +20,12 @@ CornerLoads find_corners(const FluidScene& scene, const ParticleFluid& water, co
 /// Notes in the State, and in the Scratch, which samples the water may feel in a step of `dt` from bodies that move as
 /// scratch.motion says. They are found anew when water may have come farther than the margin that was left the last
 /// time, which follows from the State alone.
+/// @param lasts  how long they are to stay; 0: as they are [s]
 void find_near_samples(const FluidScene& scene, const ParticleFluid& water, const FluidState& state, double dt,
-                       ParticleScratch& scratch);
+                       double lasts, ParticleScratch& scratch);
+
+/// Takes the samples that the State notes.
+void take_near_samples(const CouplingState& coupling, ParticleScratch& scratch);
 
 /// Places boundary particles of bodies that move as scratch.motion says, and behind openings.
 /// @param time   of the motion [s]

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/coupling/samples/rigid_map.hpp"
 
+#include <cstdint>
+#include <vector>
+
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
@@ -61,13 +64,70 @@ void place_samples(const SampleView& samples, const body::Motion& motion, fluid:
 
 namespace {
 
-/// Samples of one body that are summed in one go.
-constexpr std::int64_t piece = 4096;
+/// Samples of one body that are summed in one go: those with numbers from a multiple of this to the next, however many
+/// of them are near water.
+constexpr std::size_t piece = 4096;
 
 /// Force, torque and pull of some samples.
 struct LoadSum {
     Vec3 force{}, torque{};
     Sym3 pull{};
+
+    LoadSum& operator+=(const LoadSum& b) {
+        force += b.force;
+        torque += b.torque;
+        pull += b.pull;
+        return *this;
+    }
+};
+
+/// Sums the loads of samples of one body after another.
+struct Gatherer {
+    const SampleView& samples;
+    const body::Motion& motion;
+    std::span<const Vec3> place, sample_force;
+
+    LoadSum of(std::size_t body, std::size_t begin, std::size_t end) const {
+        LoadSum sum;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Vec3 arm = place[i] - motion.pose[body].position;
+            sum.force += sample_force[i];
+            sum.torque += cross(arm, sample_force[i]);
+            if (motion.deforms()) {
+                sum.pull += symmetric_product(sample_force[i], arm);
+            }
+        }
+        return sum;
+    }
+    /// The first entry from `begin` up to `end` whose number is that of piece `k` or a later one.
+    std::size_t begin_of_piece(std::size_t k, std::size_t begin, std::size_t end) const {
+        while (begin < end) {
+            const std::size_t middle = begin + (end - begin) / 2;
+            if (samples.number(middle) < k * piece) {
+                begin = middle + 1;
+            } else {
+                end = middle;
+            }
+        }
+        return begin;
+    }
+    /// All of a body, whose entries are [begin, end): pieces in the order of their numbers.
+    LoadSum all_of(std::size_t body, std::size_t begin, std::size_t end) const {
+        if (begin == end) {
+            return {};
+        }
+        const std::size_t first = samples.number(begin) / piece, last = samples.number(end - 1) / piece;
+        std::vector<LoadSum> pieces(last - first + 1);
+        parallel::for_each_uneven(static_cast<std::int64_t>(pieces.size()), 1, [&](std::int64_t k) {
+            const std::size_t from = begin_of_piece(first + at(k), begin, end);
+            pieces[at(k)] = of(body, from, begin_of_piece(first + at(k) + 1, from, end));
+        });
+        LoadSum sum;
+        for (const LoadSum& one : pieces) {
+            sum += one;
+        }
+        return sum;
+    }
 };
 
 }  // namespace
@@ -76,14 +136,7 @@ void gather(const SampleView& samples, const body::Motion& motion, std::span<con
             std::span<const Vec3> sample_force, body::Loads& loads) {
     const auto bodies = static_cast<std::int64_t>(motion.pose.size());
     loads.clear(motion.pose.size(), motion.deforms());
-    const auto add = [&](std::size_t body, std::size_t i, LoadSum& sum) {
-        const Vec3 arm = place[i] - motion.pose[body].position;
-        sum.force += sample_force[i];
-        sum.torque += cross(arm, sample_force[i]);
-        if (motion.deforms()) {
-            sum.pull += symmetric_product(sample_force[i], arm);
-        }
-    };
+    const Gatherer gatherer{samples, motion, place, sample_force};
     const auto put = [&](std::size_t body, const LoadSum& sum) {
         loads.force[body] = sum.force;
         loads.torque[body] = sum.torque;
@@ -91,39 +144,28 @@ void gather(const SampleView& samples, const body::Motion& motion, std::span<con
             loads.pull[body] = sum.pull;
         }
     };
-    // Samples are grouped by body, so each body has one range of them and its sum one order.
-    const auto begin_of = [&samples](std::int64_t body) {
-        return samples.begin_of(BodyId{static_cast<std::int32_t>(body)});
-    };
+    // Samples are grouped by body, so each body has one range of them. Bodies of one piece are summed side by side,
+    // those of several one after the other, piece by piece.
+    std::vector<std::size_t> begin_of(at(bodies) + 1, at(samples.size()));
     std::vector<std::uint8_t> is_large(at(bodies));
     parallel::for_ranges(bodies, 16, [&](std::int64_t first, std::int64_t end) {
-        std::size_t i = begin_of(first);
+        std::size_t i = samples.begin_of(BodyId{static_cast<std::int32_t>(first)});
         for (std::int64_t body = first; body < end; ++body) {
-            const std::size_t begin = i, last = begin + at(piece);
-            LoadSum sum;
-            for (; i < at(samples.size()) && i < last && samples.body(i).value == body; ++i) {
-                add(at(body), i, sum);
+            const std::size_t begin = begin_of[at(body)] = i;
+            const std::size_t past = i < at(samples.size()) ? (samples.number(i) / piece + 1) * piece : 0;
+            while (i < at(samples.size()) && samples.number(i) < past && samples.body(i).value == body) {
+                ++i;
             }
-            is_large[at(body)] = i < at(samples.size()) && samples.body(i).value == body ? 1 : 0;
-            i = is_large[at(body)] != 0 ? begin_of(body + 1) : i;
-            put(at(body), sum);
+            put(at(body), gatherer.of(at(body), begin, i));
+            if (i < at(samples.size()) && samples.body(i).value == body) {
+                is_large[at(body)] = 1;
+                i = samples.begin_of(BodyId{static_cast<std::int32_t>(body + 1)});
+            }
         }
     });
-    const auto join = [](LoadSum a, const LoadSum& b) {
-        a.force += b.force;
-        a.torque += b.torque;
-        a.pull += b.pull;
-        return a;
-    };
     for (std::int64_t body = 0; body < bodies; ++body) {
         if (is_large[at(body)] != 0) {
-            const std::size_t begin = begin_of(body), count = begin_of(body + 1) - begin;
-            const auto one = [&](std::int64_t k) {
-                LoadSum sum;
-                add(at(body), begin + at(k), sum);
-                return sum;
-            };
-            put(at(body), parallel::reduce(static_cast<std::int64_t>(count), LoadSum{}, one, join, piece));
+            put(at(body), gatherer.all_of(at(body), begin_of[at(body)], begin_of[at(body) + 1]));
         }
     }
 }

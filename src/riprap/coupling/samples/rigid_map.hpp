@@ -24,7 +24,8 @@ void place_samples(const SampleView& samples, const body::Motion& motion, fluid:
                    std::span<const std::uint8_t> is_still = {});
 
 /// Gathers forces at samples by the transpose of that map, F = sum f, T = sum r x f, P = sum sym(f r^T), so that
-/// sum f . v = F . v_c + T . omega + P : D: power is conserved. Per body in the order of the samples.
+/// sum f . v = F . v_c + T . omega + P : D: power is conserved. Per body in the order of the samples, in pieces of 4096
+/// sample numbers and the pieces in order, so that a sum does not depend on which samples are left out.
 /// @param place  of the samples [m]; it and `sample_force` may be longer than the samples
 void gather(const SampleView& samples, const body::Motion& motion, std::span<const Vec3> place,
             std::span<const Vec3> sample_force, body::Loads& loads);

@@ -87,7 +87,7 @@ void Mps::add_viscosity(const ParticleState& state, const BoundaryParticles& wal
 void Mps::predict(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt) {
     MpsScratch& s = scratch_;
     const auto count = state.position.size();
-    s.lists.place(reach_of(settings_), state.position, walls.position);
+    s.lists.place(reach_of(settings_), state.blocks(), state.position, walls.position);
     s.prediction.start_velocity = state.velocity;
     s.water.pressure.resize(count);
     parallel::for_each(state.size(), [&](std::int64_t entry) {

@@ -24,6 +24,8 @@ struct KeepOnly {
         values.resize(left);
     }
     void operator()(std::string_view, double&) const {}
+    void operator()(std::string_view, std::int64_t&) const {}
+    void operator()(std::string_view, std::uint64_t&) const {}
 };
 
 }  // namespace
@@ -40,6 +42,7 @@ void book_particle(const ParticleSettings& settings, const ParticleState& water,
 
 void keep_only(const std::vector<std::size_t>& kept, ParticleState& water) {
     ParticleState::visit_fields(water, KeepOnly{kept});
+    water.flow.forget();  // its geometry had those that are gone
 }
 
 Passage let_go(const ParticleSettings& settings, const Vec3& gravity, double dt, ParticleState& water) {

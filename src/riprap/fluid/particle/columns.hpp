@@ -52,8 +52,7 @@ inline bool may_stick(const BoundaryParticles& walls) {
 }
 
 inline ParticleColumns columns_of(ParticleState& state) {
-    return {state.owned().size(), state.position.data(), state.velocity.data(), state.density.data(),
-            state.dilution.data()};
+    return {state.size(), state.position.data(), state.velocity.data(), state.density.data(), state.dilution.data()};
 }
 /// To be read only.
 inline ParticleColumns columns_of(const ParticleState& state) { return columns_of(const_cast<ParticleState&>(state)); }

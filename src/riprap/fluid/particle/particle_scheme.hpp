@@ -52,9 +52,18 @@ struct FluidReport : FluidBalance {
     std::string remedy;               ///< what to change in the case, where that follows from the problem
 };
 
+/// Notes the potential energy -g.X of particles with the first moment X = sum m x [kg m], g the gravity that has a
+/// potential.
+inline void book_potential(const Vec3& gravity, const Vec3& mass_moment, const Domain& domain, FluidBalance& balance) {
+    balance.gravity = without_periodic(gravity, domain);
+    balance.mass_moment = mass_moment;
+    balance.potential = -dot(balance.gravity, mass_moment);
+}
+
 /// Step of the particles of one method, between walls that somebody else moves. The driver calls the verbs in
 /// this order in every step; what an object keeps between steps decides no bit.
 ///
+///     renew
 ///     update_density   walls at t_n
 ///     drift            x_(n+1/2) = x_n + dt/2 v_n, the same for all schemes
 ///     begin_forces     walls at t_n + dt/2: all that how walls accelerate does not change
@@ -73,6 +82,18 @@ class ParticleScheme {
 
     /// Returns the longest step that this State allows.
     virtual FluidTimeStep limit(const ParticleState& state) const = 0;
+    /// Finds neighbours and weights anew in the step that begins, or keeps those of the flow step under way. A scheme
+    /// of one clock finds them in every step. The verbs that follow go by what this says.
+    /// @param walls  at t_n; those of the flow step before, where one is over
+    /// @param are_walls_still  no wall moves, and no water enters or leaves
+    /// @param since  time by which update_density is to carry the density; less, where this has carried it already [s]
+    /// @returns how long they are to last; 0 where they are kept [s]
+    virtual double renew(ParticleState& /*state*/, const BoundaryParticles& /*walls*/, const Vec3& /*gravity*/,
+                         const TimeSpan& span, bool /*are_walls_still*/, double& /*since*/, FluidReport& /*report*/) {
+        return span.dt;
+    }
+    /// Has the scheme two clocks (FlowClock)?
+    virtual bool has_two_clocks() const { return false; }
     /// Carries the density to the middle of the step.
     /// @param dt  from density to density: (dt_(n-1) + dt_n)/2, dt_0/2 in the first step [s]
     virtual void update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,

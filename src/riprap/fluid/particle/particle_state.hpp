@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "riprap/core/blocks.hpp"
 #include "riprap/core/fields.hpp"
-#include "riprap/core/range.hpp"
+#include "riprap/fluid/particle/flow_clock.hpp"
 
 namespace riprap::fluid {
 
@@ -22,10 +23,12 @@ struct ParticleState {
     std::vector<Vec3> shift;       ///< half of the last shift, due after the next update of density; empty = none [m]
     std::vector<std::int32_t> id;  ///< of the particle for life: 0 to size() - 1 at the start
     double max_acceleration{0};    ///< in the last step; limits the next [m/s^2]
+    FlowClock flow;                ///< of a scheme with two clocks
+    parallel::BlockTable held;     ///< blocks that these arrays keep; no State, and empty where they keep all
 
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
-    /// Returns the particles whose motion this machine decides: all; others would follow as ghosts.
-    parallel::Range owned() const { return {0, size()}; }
+    /// Returns the particles by blocks of their order: what loops, sums and sweeps run over.
+    parallel::Blocks blocks() const { return {held, size()}; }
 
     void add(const Vec3& x, const Vec3& v, double rho, std::int32_t particle) {
         position.push_back(x);
@@ -36,6 +39,7 @@ struct ParticleState {
             shift.emplace_back();
         }
         id.push_back(particle);
+        flow.clear();  // no geometry knows it
     }
 
     template <class Self, class Visit>
@@ -47,6 +51,7 @@ struct ParticleState {
         visit("fluid.shift", self.shift);
         visit("fluid.id", self.id);
         visit("fluid.max_acceleration", self.max_acceleration);
+        FlowClock::visit_fields(self.flow, visit);
     }
 };
 

@@ -74,6 +74,8 @@ struct Permute {
         permute(values, order);
     }
     void operator()(std::string_view, double&) const {}
+    void operator()(std::string_view, std::int64_t&) const {}
+    void operator()(std::string_view, std::uint64_t&) const {}
 };
 
 }  // namespace

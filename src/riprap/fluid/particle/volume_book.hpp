@@ -22,9 +22,16 @@ struct VolumeBook {
     double returned{0};   ///< return of the density to that of the places
     double refused{0};    ///< what shifting left alone, as it would be tension
 
-    RIPRAP_HD VolumeBook operator+(const VolumeBook& b) const {
-        return {flow + b.flow,     diffusion + b.diffusion, tearing + b.tearing,   walls + b.walls,
-                escape + b.escape, shifting + b.shifting,   returned + b.returned, refused + b.refused};
+    template <class By>
+    RIPRAP_HD static void join(VolumeBook& a, const VolumeBook& b, const By& by) {
+        by.add(a.flow, b.flow);
+        by.add(a.diffusion, b.diffusion);
+        by.add(a.tearing, b.tearing);
+        by.add(a.walls, b.walls);
+        by.add(a.escape, b.escape);
+        by.add(a.shifting, b.shifting);
+        by.add(a.returned, b.returned);
+        by.add(a.refused, b.refused);
     }
     double sum() const { return flow + diffusion + tearing + walls + escape + shifting + returned; }
 };
@@ -33,8 +40,12 @@ struct VolumeBook {
 struct DensityLosses {
     double diffusion{0}, tearing{0}, escape{0}, returned{0};
 
-    RIPRAP_HD DensityLosses operator+(const DensityLosses& b) const {
-        return {diffusion + b.diffusion, tearing + b.tearing, escape + b.escape, returned + b.returned};
+    template <class By>
+    RIPRAP_HD static void join(DensityLosses& a, const DensityLosses& b, const By& by) {
+        by.add(a.diffusion, b.diffusion);
+        by.add(a.tearing, b.tearing);
+        by.add(a.escape, b.escape);
+        by.add(a.returned, b.returned);
     }
     double sum() const { return diffusion + tearing + escape + returned; }
 };

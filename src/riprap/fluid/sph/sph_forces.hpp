@@ -128,10 +128,9 @@ class SphForces : public Sph {
         using Extra = std::remove_const_t<decltype(extra)>;
         const ParticleColumns fluid = site_.water(state);
         const KickParticle<Extra> kick_one{
-            settings_.particle_mass, span.dt, gravity, without_periodic(gravity, settings_.domain), fluid,
+            settings_.particle_mass, span.dt, gravity, gravity - without_periodic(gravity, settings_.domain), fluid,
             water_.volume.columns(), forces_, extra};
-        book_kick(fluid.count, gravity, span.dt, Where::reduce(fluid.count, KickSums{}, kick_one, AddKickSums{}),
-                  report);
+        book_kick(fluid.count, gravity, span.dt, Where::sum(state.blocks(), kick_one), report);
         site_.give_motion(state);
         book_compression(state, report);
         state.max_acceleration = report.max_acceleration;

@@ -58,10 +58,12 @@ struct DensityUpdate {
     DensityLosses losses;  ///< [J]
     double shifting{0};    ///< the same by shifting [J]
     VolumeBook volume;     ///< [m^3]
-};
-struct AddDensityUpdates {
-    RIPRAP_HD DensityUpdate operator()(const DensityUpdate& a, const DensityUpdate& b) const {
-        return {a.losses + b.losses, a.shifting + b.shifting, a.volume + b.volume};
+
+    template <class By>
+    RIPRAP_HD static void join(DensityUpdate& a, const DensityUpdate& b, const By& by) {
+        by.add(a.losses, b.losses);
+        by.add(a.shifting, b.shifting);
+        by.add(a.volume, b.volume);
     }
 };
 
@@ -155,10 +157,11 @@ struct PrepareForces {
 struct Shifted {
     double potential{0};        ///< energy of place that it took away [J]
     double longest_squared{0};  ///< [m^2]
-};
-struct AddShifted {
-    RIPRAP_HD Shifted operator()(const Shifted& a, const Shifted& b) const {
-        return {a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
+
+    template <class By>
+    RIPRAP_HD static void join(Shifted& a, const Shifted& b, const By& by) {
+        by.add(a.potential, b.potential);
+        by.largest(a.longest_squared, b.longest_squared);
     }
 };
 

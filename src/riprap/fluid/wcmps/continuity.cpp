@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
 #include "riprap/fluid/particle/zeros.hpp"
 #include "riprap/fluid/wcmps/continuity_pairs.hpp"
@@ -41,6 +42,14 @@ struct DensityUpdate {
     DensityLosses losses;
     double heat{0}, exchange{0};
     VolumeBook volume;
+
+    template <class By>
+    static void join(DensityUpdate& a, const DensityUpdate& b, const By& by) {
+        by.add(a.losses, b.losses);
+        by.add(a.heat, b.heat);
+        by.add(a.exchange, b.exchange);
+        by.add(a.volume, b.volume);
+    }
 };
 
 }  // namespace
@@ -76,7 +85,7 @@ WcmpsDensitySums Wcmps::sum_continuity(const ParticleState& state, const Boundar
         side(state.position, state.velocity, water_.pressure, water_.concentration),
         fresh(sinks(continuity_.rate, s.diffusion, s.weight, continuity_.neighbours, s.outward, s.stir, s.even)),
         lists_.fluid_fluid);
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         s.standing.set(i, s.weight[i]);
     });
@@ -93,14 +102,14 @@ WcmpsDensitySums Wcmps::sum_continuity(const ParticleState& state, const Boundar
 
 double Wcmps::finish_shift(ParticleState& state, const Vec3& gravity) const {
     const Vec3 downward = without_periodic(gravity, settings_.domain);
-    const double taken = parallel::reduce(
-        static_cast<std::int64_t>(state.shift.size()), 0.0,
-        [&](std::int64_t entry) {
-            const auto i = static_cast<std::size_t>(entry);
-            state.position[i] += state.shift[i];
-            return settings_.particle_mass * dot(downward, state.shift[i]);
-        },
-        [](double a, double b) { return a + b; });
+    if (state.shift.empty()) {
+        return 0;
+    }
+    const double taken = parallel::sum(state.blocks(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        state.position[i] += state.shift[i];
+        return settings_.particle_mass * dot(downward, state.shift[i]);
+    });
     state.shift.clear();
     return taken;
 }
@@ -109,7 +118,7 @@ void Wcmps::find_pressure(const ParticleState& state) {
     for (std::vector<double>* values : {&water_.concentration, &water_.pressure, &water_.pressure_over_concentration}) {
         values->resize(state.density.size());
     }
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         water_.concentration[i] = state.density[i] / settings_.rest_density;
         water_.pressure[i] = pressure_of(settings_, water_.concentration[i]);
@@ -152,7 +161,7 @@ void Wcmps::find_wall_shares(const BoundaryParticles& walls) {
 void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
                            FluidReport& report) {
     const Vec3 pull = in_plane(gravity, settings_.domain);
-    lists_.place(reach_of(settings_), state.position, walls.position);
+    lists_.place(reach_of(settings_), state.blocks(), state.position, walls.position);
     find_pressure(state);
     find_wall_shares(walls);
     const WcmpsDensitySums s = sum_continuity(state, walls, pull);
@@ -211,10 +220,7 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
         volume.flow = per_gain * (after - before) - volume.sum();
         return update;
     };
-    const auto both = [](const DensityUpdate& a, const DensityUpdate& b) {
-        return DensityUpdate{a.losses + b.losses, a.heat + b.heat, a.exchange + b.exchange, a.volume + b.volume};
-    };
-    const DensityUpdate update = parallel::reduce(state.owned(), DensityUpdate{}, advance_one, both);
+    const DensityUpdate update = parallel::sum(state.blocks(), advance_one);
     report.by_density = update.losses;
     report.earlier_heat = update.heat;
     report.earlier_exchange = update.exchange;

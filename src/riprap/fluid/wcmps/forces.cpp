@@ -72,7 +72,7 @@ void Wcmps::begin_forces(ParticleState& state, const BoundaryParticles& walls, c
     if (!report.problem.empty()) {
         return;
     }
-    lists_.place(reach_of(settings_), state.position, walls.position);
+    lists_.place(reach_of(settings_), state.blocks(), state.position, walls.position);
     find_pressure(state);
     damp_sound();
     find_wall_shares(walls);
