@@ -329,6 +329,27 @@ TEST(SampleShapes, samples_in_two_walls_of_a_plane_lie_in_a_vertex) {
     }
 }
 
+TEST(SampleShapes, walls_of_a_plane_that_meet_at_less_than_18_degrees_make_no_vertex) {
+    for (const double degrees : {16.0, 22.0}) {  // sine squared of 0.076 and 0.14
+        const double angle = degrees * std::numbers::pi / 180;
+        const Vec3 slope{-std::sin(angle), std::cos(angle), 0};
+        Scene scene;
+        scene.bodies.is_planar = true;
+        scene.add_half_space({0, 1, 0}, 0);
+        scene.add_half_space(slope, 0);
+        const SampleSet samples = sample(scene, settings_of({-1, -1, 0}, {1, 1, 0}, 2));
+        int in_both = 0, in_vertex = 0;
+        for (std::size_t i = 0; i < samples.anchor.size(); ++i) {
+            const auto body = static_cast<std::size_t>(samples.body[i].value);
+            const Vec3 x = to_world({scene.state.position[body], scene.state.orientation[body]}, samples.anchor[i]);
+            in_both += x.y < -1e-9 && dot(slope, x) < -1e-9 ? 1 : 0;
+            in_vertex += samples.is_in_vertex[i];
+        }
+        EXPECT_GT(in_both, 0);
+        EXPECT_EQ(in_vertex, degrees < 18 ? 0 : in_both) << degrees;
+    }
+}
+
 TEST(SampleShapes, wall_and_water_together_make_the_kernel_sum_of_a_full_lattice) {
     // Water on a lattice beside an inner corner of the tank: every kernel sum equals that far from any wall.
     Scene scene;

@@ -153,7 +153,9 @@ quantity = "position"
 
 TEST(ReadCase, the_hash_ignores_how_long_to_run_and_what_to_write_but_nothing_else) {
     const std::uint64_t hash = read(minimal_case).model.case_hash;
-    EXPECT_EQ(read(minimal_case, {"end=7", "max_steps=3", "title=other", "output.vtk=false"}).model.case_hash, hash);
+    EXPECT_EQ(
+        read(minimal_case, {"end=7", "max_steps=3", "title=other", "source=other", "output.vtk=false"}).model.case_hash,
+        hash);
     EXPECT_NE(read(minimal_case, {"gravity=[0, 0, -9.80]"}).model.case_hash, hash);
     EXPECT_NE(read(minimal_case, {"material.rock.density=2501"}).model.case_hash, hash);
     EXPECT_NE(read(minimal_case, {"seed=2"}).model.case_hash, hash);

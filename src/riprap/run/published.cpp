@@ -38,8 +38,11 @@ std::vector<std::string> words_of(std::string_view text) {
     return words;
 }
 
-/// The kind that a word means: "fig.", "Figs" and "figures" are "figure". Empty for any other word.
+/// The kind that a word in small letters means: "fig.", "figs" and "figures" are "figure". Empty for any other word.
 std::string_view kind_of(std::string_view word) {
+    if (word.ends_with('.')) {
+        word.remove_suffix(1);
+    }
     if (word.ends_with('s')) {
         word.remove_suffix(1);
     }
