@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -25,7 +26,7 @@ py::tuple draws(const Case& self, std::int64_t members) {
         throw py::value_error("an ensemble needs numbers that differ from member to member: [[spread]] in the case");
     }
     const py::dict resolved = from_json(self.loaded.resolved_json);
-    const auto seed = resolved.contains("seed") ? resolved["seed"].cast<std::uint64_t>() : 1;
+    const auto seed = resolved.contains("seed") ? resolved["seed"].cast<std::uint64_t>() : std::uint64_t{1};
     py::list points;
     for (std::int64_t k = 1; k <= members; ++k) {
         py::dict values;
