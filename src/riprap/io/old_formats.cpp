@@ -50,8 +50,8 @@ std::string_view writer_of(std::uint32_t version) {
         "a Riprap on the way to 0.3",
         "a Riprap on the way to 0.3",
         "a Riprap on the way to 0.3",
+        "a Riprap on the way to 0.3",
         "Riprap 0.3",
-        "a Riprap on the way to 0.4",
     };
     return version < writers.size() ? writers[version] : "a later Riprap";
 }
