@@ -25,9 +25,9 @@ bool check_steps_of(const char* what, const Tank& start) {
                 start.settings.domain.dimension, start.walls.position.size(), what);
     const auto books = [](const Tank& tank) {
         const riprap::fluid::FluidReport& r = tank.report;
-        return std::vector<double>{
-            r.kinetic, r.potential,      r.internal,      r.dissipated_viscous, r.dissipated_diffusion,
-            r.shifted, r.work_on_solids, r.wall_exchange, r.work_external,      r.max_speed};
+        return std::vector<double>{r.kinetic,          r.potential, r.internal,       r.dissipated_viscous,
+                                   r.by_density.sum(), r.shifted,   r.work_on_solids, r.wall_exchange,
+                                   r.work_external,    r.max_speed};
     };
     bool ok = host.report.problem.empty() && device.report.problem.empty();
     ok &= same_bits("  places", host.water.position, device.water.position);

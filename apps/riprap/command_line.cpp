@@ -177,7 +177,7 @@ void add_validate(CLI::App& app, Action& action, const Words& words, const Built
 
 void add_list(CLI::App& app, Action& action, const Words& words, const BuiltIn& built_in) {
     CLI::App* command = app.add_subcommand("list", "List the cases and validation suites found");
-    command->footer("Example:\n  riprap list --costs\n  riprap list --published");
+    command->footer("Example:\n  riprap list --costs\n  riprap list --published ding figure 7.8");
     auto as_json = std::make_shared<bool>(false), as_names = std::make_shared<bool>(false);
     auto as_costs = std::make_shared<bool>(false), as_published = std::make_shared<bool>(false);
     CLI::Option* json = command->add_flag("--json", *as_json, "As JSON");
@@ -187,16 +187,23 @@ void add_list(CLI::App& app, Action& action, const Words& words, const BuiltIn& 
                                         "What the run of each case takes on this machine, by some steps of it: a "
                                         "minute in all")
                              ->excludes(names);
+    CLI::Option* published =
+        command
+            ->add_flag("--published", *as_published,
+                       "Published experiments and exact answers, each with its source, section and figures")
+            ->excludes(names)
+            ->excludes(costs);
+    auto about = std::make_shared<std::vector<std::string>>();
     command
-        ->add_flag("--published", *as_published,
-                   "Published experiments and exact answers that are case files, by source")
-        ->excludes(names)
-        ->excludes(costs);
-    command->callback([&action, &words, &built_in, as_json, as_names, as_costs, as_published] {
-        action = [&words, &built_in, as_json, as_names, as_costs, as_published] {
+        ->add_option("WORDS", *about,
+                     "Of the published cases those that all words are about: an author, a figure or table of a paper, "
+                     "words of the title")
+        ->needs(published);
+    command->callback([&action, &words, &built_in, as_json, as_names, as_costs, as_published, about] {
+        action = [&words, &built_in, as_json, as_names, as_costs, as_published, about] {
             end_with_reader();
             if (*as_published) {
-                return print_published(*as_json);
+                return print_published(*about, *as_json);
             }
             if (*as_names || *as_costs) {
                 return *as_names ? print_case_names() : print_costs(*as_json);

@@ -29,8 +29,9 @@ int print_version(bool as_json);
 int print_list(const std::function<std::vector<ListedCase>()>& published, bool as_json);
 /// Prints the cases and the cost of their runs on this machine, estimated from some steps of each.
 int print_costs(bool as_json);
-/// Prints the published cases with a case file and the sources that each cites.
-int print_published(bool as_json);
+/// Prints the published cases that all words are about, each with its source; with words also the commands that run and
+/// copy it. @throws FileError where there is none
+int print_published(const std::vector<std::string>& words, bool as_json);
 /// Prints the names of all cases, one a line, for the completion of shells.
 int print_case_names();
 

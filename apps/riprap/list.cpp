@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "riprap/core/error.hpp"
 #include "riprap/run/find_case.hpp"
 #include "riprap/run/progress.hpp"
+#include "riprap/run/published.hpp"
 #include "riprap/run/run_cost.hpp"
 
 namespace riprap {
@@ -53,45 +54,66 @@ void print(const std::string& heading, const std::vector<ListedCase>& entries) {
     }
 }
 
-/// Sources that a case file cites, each once, in its order; read line by line, as a listing must not fail on a case.
-std::vector<std::string> citations_of(const std::string& file) {
-    std::ifstream in(file);
-    std::vector<std::string> found;
-    for (std::string line; std::getline(in, line);) {
-        const std::size_t begin = line.find('"'), end = line.rfind('"');
-        if (line.rfind("citation", 0) == 0 && begin < end) {
-            const std::string citation = line.substr(begin + 1, end - begin - 1);
-            if (std::find(found.begin(), found.end(), citation) == found.end()) {
-                found.push_back(citation);
-            }
-        }
+/// A name for a copy of a case.
+std::string name_of_copy(const std::string& name) { return "my_" + name.substr(name.rfind('/') + 1); }
+
+std::string run_command(const run::PublishedCase& published) { return "riprap run " + published.name; }
+
+std::string copy_command(const run::PublishedCase& published) {
+    return fmt::format("riprap new {} --from {}", name_of_copy(published.name), published.name);
+}
+
+/// Prints a case with what it is taken from, and the commands that run and copy it where `has_commands`.
+void print(const run::PublishedCase& published, bool has_commands) {
+    fmt::print("{}  {}\n", published.name, published.title);
+    if (!published.source.empty()) {
+        fmt::print("    {}\n", published.source);
     }
-    return found;
+    for (const std::string& citation : published.source.empty() ? published.citations : std::vector<std::string>()) {
+        fmt::print("    {}\n", citation);
+    }
+    if (has_commands) {
+        fmt::print("    {}\n    {}\n", run_command(published), copy_command(published));
+    }
+}
+
+Json to_json(const run::PublishedCase& published) {
+    return {{"name", published.name},        {"title", published.title},         {"file", published.file.string()},
+            {"source", published.source},    {"citations", published.citations}, {"run", run_command(published)},
+            {"new", copy_command(published)}};
 }
 
 }  // namespace
 
-int print_published(bool as_json) {
-    Json list = Json::array();
-    for (const ListedCase& entry : with_files("validation")) {
-        const std::vector<std::string> sources = citations_of(entry.file);
-        if (sources.empty()) {
-            continue;
-        }
-        if (as_json) {
-            list.push_back(
-                {{"name", entry.name}, {"title", entry.title}, {"file", entry.file}, {"citations", sources}});
-            continue;
-        }
-        fmt::print("{}  {}\n", entry.name, entry.title);
-        for (const std::string& source : sources) {
-            fmt::print("    {}\n", source);
-        }
+int print_published(const std::vector<std::string>& words, bool as_json) {
+    std::vector<run::PublishedCase> cases = run::published_cases();
+    if (!words.empty()) {
+        std::erase_if(cases, [&words](const run::PublishedCase& one) { return !run::is_about(one, words); });
+    }
+    if (cases.empty()) {
+        throw FileError(
+            fmt::format("no published case is about '{}'; `riprap list --published` without words, or with "
+                        "the name of an author alone, lists what there is",
+                        fmt::join(words, " ")));
     }
     if (as_json) {
+        Json list = Json::array();
+        for (const run::PublishedCase& one : cases) {
+            list.push_back(to_json(one));
+        }
         fmt::print("{}\n", list.dump(2, ' ', false, Json::error_handler_t::replace));
+        return 0;
+    }
+    for (const run::PublishedCase& one : cases) {
+        print(one, !words.empty());
+    }
+    if (words.empty()) {
+        fmt::print(
+            "one figure, one author: riprap list --published ding figure 7.8\n"
+            "one of them as a case of your own: riprap new NAME --from SUITE/CASE\n");
     } else {
-        fmt::print("one of them as a case of your own: riprap new NAME --from validation/SUITE/CASE\n");
+        const std::string folder = "runs/" + run::short_name(cases.front().file);
+        fmt::print("to look at a run: riprap view {0}, riprap plot {0}\n", folder);
     }
     return 0;
 }

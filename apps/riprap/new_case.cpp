@@ -226,7 +226,7 @@ void add_new(CLI::App& app, Action& action) {
         ->excludes(spheres);
     command->footer(
         "Example:\n  riprap new my_slope && riprap run my_slope && riprap view runs/my_slope\n"
-        "  riprap new my_arch --from validation/dda/planar_arch_falls");
+        "  riprap new my_arch --from dda/planar_arch_falls");
     command->callback([&action, options] {
         action = [options] {
             if (!options->from.empty()) {

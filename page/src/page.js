@@ -28,6 +28,7 @@ export class Page {
     this.isPlaying = false;
     this.address = new Address(this);
     document.title = $('title').textContent = contents.title || 'Riprap';
+    $('title').title = contents.source ?? '';
     $('status').textContent = contents.status;
     $('status').className = contents.status.replace(' ', '-');
   }

@@ -139,6 +139,7 @@ export function showRun(parent, contents) {
   }
   const build = summary.build ?? {}, machine = summary.machine ?? {};
   const known = [
+    ['source', contents.source],
     ['status', [contents.status, summary.reason].filter(Boolean).join(': ')],
     ['simulated time', summary.time !== undefined ? reading(summary.time) : undefined, 's'],
     ['steps', summary.steps], ['last time step', summary.time_step && reading(summary.time_step, 4), 's'],

@@ -122,6 +122,24 @@ TEST(FaceGauge, an_even_pressure_is_read_the_same_to_the_edges_of_a_face_whereve
     }
 }
 
+// The spline is as wide as four even ones of a spacing, with a variance of dp^2/12 each; the sensor adds its own.
+TEST(FaceGauge, a_sensor_reads_the_mean_over_its_square_of_a_pressure_that_is_curved) {
+    for (const double side : {0.0, 0.07, 0.4}) {
+        Loaded f(3);
+        f.scene.add(geometry::cube(2), {});
+        f.sample();
+        for (std::size_t i = 0; i < f.particles.position.size(); ++i) {
+            const Vec3& x = f.particles.position[i];
+            const double p = 3 + x.y * x.y + 2 * x.x * x.x;
+            f.particles.pressure_force[i] = x.z > 1 - 0.7 * dp ? Vec3{0, 0, -dp * dp * p} : Vec3{};
+        }
+        FaceGauge gauge = f.at({0.11, 0.03, 1});
+        gauge.side = side;
+        const double mean = 3 + 0.03 * 0.03 + 2 * 0.11 * 0.11 + 3 * (dp * dp / 3 + side * side / 12);
+        EXPECT_NEAR(f.read(gauge), mean, 1e-9) << side;
+    }
+}
+
 /// A force on the particles that lie under the floor and behind the plane x = 0 comes back at the foot of the wall.
 void expect_corner_counts(Loaded& f) {
     f.sample();

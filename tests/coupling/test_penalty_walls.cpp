@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "coupling/tank_scenes.hpp"
 #include "riprap/coupling/particle_walls/penalty_walls.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
@@ -151,6 +155,59 @@ TEST(PenaltyWalls, a_particle_that_goes_around_an_edge_or_a_tip_has_gone_through
     EXPECT_EQ(passages(knife, {0.399, 0.003, 0}, {0.399, -0.003, 0}), 0);
     EXPECT_EQ(passages(knife, {0.385, 0.005, 0}, {0.385, -0.005, 0}), 0);
     EXPECT_EQ(passages(knife, {0.36, 0.005, 0}, {0.36, -0.005, 0}), 1);
+}
+
+/// Loads are summed per body and block of particles, and blocks in order: what a block brings is the same whoever has
+/// the others, and ghosts bring nothing.
+TEST(PenaltyWalls, loads_are_sums_of_those_of_blocks_of_particles_without_ghosts) {
+    test::Scene scene;
+    scene.bodies.is_planar = true;
+    for (const double x : {0.3, 0.75}) {
+        const std::vector<geometry::Point2> corners{{-0.2, -0.1}, {0.2, -0.1}, {0.2, 0.1}, {-0.2, 0.1}};
+        scene.add(geometry::planar_prism(corners).value(), {{x, 0.5, 0}, {}});
+    }
+    fluid::SphSettings settings;
+    settings.spacing = dp;
+    settings.particle_mass = settings.rest_density * dp * dp;
+    settings.sound_speed = 30;
+    settings.domain = {{0, 0, 0}, {1, 1, 0}, {}, 2};
+    body::Motion motion;
+    motion.pose = {{{0.3, 0.5, 0}, {}}, {{0.75, 0.5, 0}, {}}};
+    motion.velocity = motion.angular_velocity = motion.acceleration = motion.angular_acceleration =
+        std::vector<Vec3>(2);
+    fluid::ParticleState particles;
+    const std::int64_t count = 2 * parallel::reduce_block + 500;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto s = static_cast<double>(i);
+        particles.add({0.1 + 0.8 * s / static_cast<double>(count), 0.61 + 0.004 * std::sin(s), 0}, {0, std::cos(s), 0},
+                      settings.rest_density, static_cast<std::int32_t>(i));
+    }
+    const auto loads_of = [&](const fluid::ParticleState& water) {
+        fluid::SparseVectors force;
+        FluidLoads loads;
+        PenaltyWalls walls;
+        walls.push(scene.shapes, scene.bodies, motion, {}, penalty_settings(settings, 1e-4), {}, water, force, loads);
+        return loads.pressure;
+    };
+    const body::Loads whole = loads_of(particles);
+    Vec3 force[2], torque[2];
+    for (std::int64_t own = 0; own < 3; ++own) {  // three holders of one block each, all others their ghosts
+        particles.held = {};
+        particles.held.whole = 3;
+        for (std::int64_t k = 0; k < 3; ++k) {
+            particles.held.add(k, k == own, std::min(parallel::reduce_block, count - k * parallel::reduce_block));
+        }
+        const body::Loads part = loads_of(particles);
+        for (std::size_t b = 0; b < 2; ++b) {
+            force[b] += part.force[b];
+            torque[b] += part.torque[b];
+        }
+    }
+    for (std::size_t b = 0; b < 2; ++b) {
+        EXPECT_EQ(force[b], whole.force[b]);
+        EXPECT_EQ(torque[b], whole.torque[b]);
+        EXPECT_NE(whole.force[b].y, 0);
+    }
 }
 
 }  // namespace

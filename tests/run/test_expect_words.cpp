@@ -173,8 +173,10 @@ TEST(ExpectWords, WhatDoesNotGoTogetherIsToldWithItsPlace) {
                 HasSubstr("case.toml:24:9: no [[expect]] before this one is called 'b'"));
     EXPECT_THAT(problem_of(expect("place", band) + expect("b", band + "over = 'plase'\n")),
                 HasSubstr("did you mean 'place'?"));
-    EXPECT_THAT(problem_of(expect("a", band) + expect("a", band) + expect("b", band + "over = 'a'\n")),
-                HasSubstr("several [[expect]] before this one"));
+    EXPECT_THAT(problem_of(expect("a", band) + expect("b", band) + expect("a", band)),
+                HasSubstr("another [[expect]] is called 'a'"));  // sweep.csv had one column for both
+    EXPECT_THAT(problem_of(expect("a", band + "relative_to = 'time'\n")),
+                HasSubstr("'time' relative to itself is always 0"));
     EXPECT_THAT(problem_of(expect("a", band + "reported = true\n")), HasSubstr("reported"));
     EXPECT_THAT(problem_of(expect("a", "quantity = 'time'\nreported = false\n")), HasSubstr("says nothing"));
 }

@@ -12,6 +12,7 @@
 #include "riprap/run/simulation.hpp"
 #include "riprap/run/summary.hpp"
 #include "riprap/sim/ledger_table.hpp"
+#include "riprap/sim/quantity.hpp"
 
 namespace riprap::run {
 namespace {
@@ -31,7 +32,7 @@ Balance balance_of(const Simulation& simulation) {
     Balance balance;
     const sim::Ledger& ledger = simulation.report().ledger;
     for (const sim::LedgerLine& line : sim::ledger_lines()) {
-        if (has_line(simulation.model(), line)) {
+        if (has_line(simulation.model(), line) && line.entry != riprap::Balance::aside) {
             const double value = value_of(line, simulation.model(), ledger);
             balance.sum += line.entry == riprap::Balance::gained ? -value : value;
             balance.size = std::max(balance.size, std::abs(value));
@@ -66,15 +67,48 @@ TEST(LedgerTable, TheSummaryHoldsTheAccountsOfTheMethodsOfTheCaseAndNoOthers) {
     const auto ledger = nlohmann::json::parse(summary_json(simulation.summary())).at("ledger");
     EXPECT_EQ(ledger.at("fluid.kinetic").get<double>(), simulation.report().ledger.fluid.kinetic);
     for (const char* const name : {"fluid.viscous", "fluid.diffusion", "fluid.wall_exchange", "fluid.shifting",
-                                   "solid.friction", "solid.contact_damping", "solid.damping", "fluid.mass"}) {
+                                   "fluid.tearing", "fluid.volume_by_flow", "fluid.volume_by_tearing", "solid.friction",
+                                   "solid.contact_damping", "solid.damping", "fluid.mass"}) {
         EXPECT_TRUE(ledger.contains(name)) << name;
     }
+    EXPECT_NE(ledger.at("fluid.volume_by_flow").get<double>(), 0);
+    const sim::QuantityInfo* const spread = sim::find_quantity("fluid.volume_by_flow", false);
+    ASSERT_NE(spread, nullptr);
+    EXPECT_EQ(spread->unit, "m^3");
     EXPECT_FALSE(ledger.contains("solid.strain"));
     Simulation dry = make("tests/run/methods/solid-implicit_dda.toml");
     ASSERT_TRUE(dry.step(sim::Measure::energy).is_accepted());
     const auto of_blocks = nlohmann::json::parse(summary_json(dry.summary())).at("ledger");
     EXPECT_TRUE(of_blocks.contains("solid.strain"));
     EXPECT_TRUE(of_blocks.contains("solid.numerical_damping"));
+}
+
+// Totals of a checkpoint from before water had a book of volume.
+TEST(LedgerTable, TotalsWithoutYoungAccountsAreTakenUpWithNothingInThem) {
+    const Simulation simulation = make("tests/run/methods/fluid-sph.toml");
+    const sim::Accounts accounts = accounts_of(simulation.model());
+    const std::ptrdiff_t young = fluid_account(accounts, first_young_account);
+    ASSERT_GT(young, 0);
+    const std::size_t count = accounts.fluid.size() - static_cast<std::size_t>(young), late = 3;
+    sim::LedgerState state;
+    reset(accounts, state);
+    const std::size_t whole = state.totals.size();
+    for (std::size_t i = 0; i < whole; ++i) {
+        state.totals[i] = static_cast<double>(i + 1);
+    }
+    const std::vector<double> totals = state.totals;
+    state.totals.erase(state.totals.end() - static_cast<std::ptrdiff_t>(count + late),
+                       state.totals.end() - static_cast<std::ptrdiff_t>(late));
+    ASSERT_TRUE(take_up_old_totals(accounts, state));
+    ASSERT_EQ(state.totals.size(), whole);
+    for (std::size_t i = 0; i < whole; ++i) {
+        EXPECT_EQ(state.totals[i], i + late < whole && i + count + late >= whole ? 0 : totals[i]) << i;
+    }
+    state.totals.resize(whole - count - late);  // and of one older still
+    EXPECT_TRUE(take_up_old_totals(accounts, state));
+    EXPECT_EQ(state.totals.size(), whole);
+    state.totals.pop_back();
+    EXPECT_FALSE(take_up_old_totals(accounts, state));
 }
 
 }  // namespace

@@ -377,6 +377,18 @@ TEST(BadInput, what_begins_when_the_run_is_over_is_warned_of) {
     EXPECT_THAT(warnings("load = [{ force = [1.0, 0.0, 0.0], start = 0.1, ramp = 0.3, stop = 0.4 }]"), IsEmpty());
     EXPECT_THAT(warnings("motion = { linear = { velocity = [1.0, 0.0, 0.0] }, start = 5.0 }"),
                 ElementsAre(HasSubstr("before 'block' begins to move at 5 s")));
+    const auto moved = [](const std::string& times) {
+        return "motion = { table = { time = " + times + ", displacement = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]] } }";
+    };
+    EXPECT_THAT(warnings(moved("[4.0, 5.0]")), ElementsAre(HasSubstr("before this table begins at 4 s")));
+    EXPECT_THAT(warnings(moved("[-2.0, -1.0]")), ElementsAre(HasSubstr("this table ends at -1 s, before the run")));
+    EXPECT_THAT(warnings(moved("[0.5, 5.0]")), IsEmpty());
+    const auto pushed = [](const std::string& start) {
+        return "load = [{ table = { time = [0.5, 1.0], force = [[1.0, 0.0, 0.0], [1.0, 0.0, 0.0]] }, start = " + start +
+               " }]";
+    };
+    EXPECT_THAT(warnings(pushed("0.5")), ElementsAre(HasSubstr("before this load begins at 1 s")));
+    EXPECT_THAT(warnings(pushed("0.4")), IsEmpty());
     EXPECT_THAT(warnings("fixed = true\nrelease_time = 1.0"), ElementsAre(HasSubstr("'block' is released at 1 s")));
     const std::string turn =
         "gravity = { value = [0.0, 0.0, -9.81], rotation = { axis = [1.0, 0.0, 0.0], rate = 0.1, start = 3.0 } }";

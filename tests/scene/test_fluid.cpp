@@ -223,6 +223,8 @@ TEST(FluidCase, gauges_that_read_nothing_are_refused_with_the_reason) {
     for (const char* kind : {"pressure", "velocity", "level"}) {
         EXPECT_THAT(problems(fmt::format("kind = \"{}\"\npoint = [0.5, 0.1]\nend = [0.5, 0.4]\n", kind)),
                     ElementsAre(HasSubstr(fmt::format("'end' does nothing for a '{}' gauge", kind))));
+        EXPECT_THAT(problems(fmt::format("kind = \"{}\"\npoint = [0.5, 0.1]\narea = 1e-4\n", kind)),
+                    ElementsAre(HasSubstr(fmt::format("'area' does nothing for a '{}' gauge", kind))));
     }
 }
 

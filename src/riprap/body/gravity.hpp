@@ -21,7 +21,8 @@ struct Gravity {
     std::vector<double> times{};                           ///< increasing, instead of `rate` [s]; empty: none
     std::vector<double> angles{};                          ///< at `times` [rad]
     bool turns() const { return rate != 0 || !times.empty(); }
-    double angle(double time) const;  ///< of the turn [rad]
+    bool changes() const { return ramp > 0 || turns(); }  ///< with time
+    double angle(double time) const;                      ///< of the turn [rad]
     Vec3 at(double time) const;
     /// Returns gravity that stays turned as it is at time 0.
     Gravity held() const;

@@ -6,6 +6,7 @@
 #include "riprap/contact/stability.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 
 namespace riprap::contact {
 
@@ -63,19 +64,17 @@ double ContactPipeline::dashpot_loss(const ContactScene& scene, const body::Body
                               : kinematics.angular_velocity[body];
         return Motion{state.velocity[body] + cross(spin, point - state.position[body]), spin};
     };
-    return parallel::reduce(
-        static_cast<std::int64_t>(rows_.size()), 0.0,
-        [&](std::int64_t i) {
-            const ContactRow& row = *rows_[at(i)];
-            if (row.dashpot == Vec3T<float>{} && row.dashpot_couple == Vec3T<float>{}) {
-                return 0.0;
-            }
-            const Motion a = motion_at(row.parts.a, row.point), b = motion_at(row.parts.b, row.point);
-            const double power_after =
-                dot(a.velocity - b.velocity, widen(row.dashpot)) + dot(a.spin - b.spin, widen(row.dashpot_couple));
-            return -0.5 * (row.dashpot_power + power_after) * dt;
-        },
-        [](double a, double b) { return a + b; });
+    const auto loss_of = [&](std::int64_t i) {
+        const ContactRow& row = *rows_[at(i)];
+        if (row.dashpot == Vec3T<float>{} && row.dashpot_couple == Vec3T<float>{}) {
+            return 0.0;
+        }
+        const Motion a = motion_at(row.parts.a, row.point), b = motion_at(row.parts.b, row.point);
+        const double power_after =
+            dot(a.velocity - b.velocity, widen(row.dashpot)) + dot(a.spin - b.spin, widen(row.dashpot_couple));
+        return -0.5 * (row.dashpot_power + power_after) * dt;
+    };
+    return parallel::sum_exactly(static_cast<std::int64_t>(rows_.size()), loss_of);
 }
 
 double ContactPipeline::stable_step(const ContactScene& scene) const {

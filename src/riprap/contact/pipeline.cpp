@@ -6,6 +6,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 
 namespace riprap::contact {
 
@@ -91,10 +92,9 @@ void ContactPipeline::collect(ContactHistory& history) {
 }
 
 double ContactPipeline::lost_energy(const ContactHistory& history) const {
-    return parallel::reduce(
-        static_cast<std::int64_t>(history.size()), 0.0,
-        [&](std::int64_t i) { return is_carried_[at(i)] != 0 ? 0.0 : history.shear_energy[at(i)]; },
-        [](double a, double b) { return a + b; });
+    return parallel::sum_exactly(static_cast<std::int64_t>(history.size()), [&](std::int64_t i) {
+        return is_carried_[at(i)] != 0 ? 0.0 : history.shear_energy[at(i)];
+    });
 }
 
 std::size_t ContactPipeline::bytes() const {

@@ -4,7 +4,8 @@
 // The only place (with parallel_cuda*.hpp, parallel.cpp and crew.hpp) that knows of threads of loops or of CUDA.
 //
 // Work is cut by data, never by thread, so results have the same bits at any thread count:
-// for_each writes by index; reduce folds fixed blocks of `reduce_block` entries in index order.
+// for_each writes by index; reduce folds fixed blocks of `reduce_block` entries in index order. Sums of numbers with
+// rounding go through parallel::sum (core/sum.hpp), which has no order of blocks.
 // Functors are free function objects; a device build takes the same ones when they are RIPRAP_HD.
 
 #include <algorithm>
@@ -30,8 +31,8 @@ void set_thread_count(int count);
 template <class T>
 inline constexpr bool has_own_bytes = !std::is_same_v<std::remove_cv_t<T>, bool>;
 
-/// Entries folded together before partial results are combined; part of the definition of a result.
-inline constexpr std::int64_t reduce_block = 4096;
+/// Entries folded together before partial results are combined; part of the definition of a sum.
+inline constexpr std::int64_t reduce_block = 2048;
 
 namespace detail {
 /// Runs body(context, chunk) for chunk = 0 .. chunk_count-1 on the host threads, in any order.
@@ -81,8 +82,9 @@ void for_ranges(std::int64_t n, std::int64_t grain, const F& f) {
     detail::for_chunks(n, grain, f);
 }
 
-/// fold(fold(identity, map(0)), map(1)) ... in fixed blocks: same bits at any thread count. `block` is part of the
-/// definition of a result; a smaller one lets a costly map share its work at small n.
+/// fold(fold(identity, map(0)), map(1)) ... in fixed blocks, for a fold whose result does not depend on how entries are
+/// grouped: the largest, the first, a count. A smaller block lets a costly map share its work at small n. What is
+/// rounded is summed by parallel::sum.
 template <class T, class Map, class Fold>
 T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold, std::int64_t block = reduce_block) {
     static_assert(has_own_bytes<T>, "bits of a std::vector<bool> share bytes that two threads would write: use any_of");

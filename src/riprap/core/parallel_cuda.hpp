@@ -4,9 +4,9 @@
 // CUDA back end of core/parallel: the same loops over the same functors, on one device. Include it from .cu files only.
 //
 // A functor handed to these functions is a named type with RIPRAP_HD members, trivially copyable, holding plain
-// pointers into DeviceArrays. Sums have the bits of the host's: every block of entries (`reduce_block` unless told) is
-// folded in index order by one thread, after all threads have evaluated the entries. Compile with -fmad=false, the
-// device's counterpart of -ffp-contract=off.
+// pointers into DeviceArrays. Sums have the bits of the host's: each chain of a block is added up in index order by one
+// thread, after all threads have evaluated the entries, and blocks are added up exactly by the host. Compile with
+// -fmad=false, the device's counterpart of -ffp-contract=off.
 
 #include <cuda_runtime.h>
 
@@ -17,8 +17,11 @@
 #include <span>
 #include <type_traits>
 
+#include "riprap/core/blocks.hpp"
+#include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/parallel_cuda_memory.hpp"
+#include "riprap/core/sum.hpp"
 
 namespace riprap::parallel::cuda {
 
@@ -61,6 +64,52 @@ __global__ void reduce_kernel(std::int64_t n, std::int64_t block, T identity, Ma
     }
 }
 
+/// Chains that a block of threads evaluates at a time: as many as fit in shared memory.
+template <class T>
+constexpr int chains_at_a_time() {
+    constexpr auto chain_bytes = static_cast<int>(sum_chain * sizeof(T));
+    static_assert(chain_bytes <= 48 * 1024, "one chain must fit in shared memory");
+    constexpr int fitting = 48 * 1024 / chain_bytes;
+    return fitting < 4 ? fitting : 4;
+}
+
+/// One block of threads per `block` entries: all threads evaluate some chains, one thread adds up each of them, and
+/// thread 0 adds up the chains in index order, as sum_in_chains does.
+template <class T, class Map>
+__global__ void sum_kernel(std::int64_t n, std::int64_t block, Map map, T* partial) {
+    extern __shared__ __align__(16) unsigned char shared[];
+    T* tile = reinterpret_cast<T*>(shared);
+    const std::int64_t begin = static_cast<std::int64_t>(blockIdx.x) * block;
+    const std::int64_t end = begin + block < n ? begin + block : n;
+    const JoinBy<AddRounded> by{};
+    T total{};
+    for (std::int64_t first = begin; first < end; first += blockDim.x) {
+        const std::int64_t i = first + threadIdx.x;
+        if (i < end) {
+            tile[threadIdx.x] = map(i);
+        }
+        __syncthreads();
+        const auto own = static_cast<std::int64_t>(threadIdx.x) * sum_chain;  // of this thread, where it has a chain
+        if (own < blockDim.x && first + own < end) {
+            T chain{};
+            for (std::int64_t k = own; k < own + sum_chain && first + k < end; ++k) {
+                by.add(chain, tile[k]);
+            }
+            tile[own] = chain;
+        }
+        __syncthreads();
+        if (threadIdx.x == 0) {
+            for (std::int64_t k = 0; k < blockDim.x && first + k < end; k += sum_chain) {
+                by.add(total, tile[k]);
+            }
+        }
+        __syncthreads();
+    }
+    if (threadIdx.x == 0) {
+        partial[blockIdx.x] = total;
+    }
+}
+
 /// Runs a CUB algorithm twice: once to learn its scratch size, once for real.
 template <class Algorithm>
 void run_with_scratch(const char* what, const Algorithm& algorithm) {
@@ -84,7 +133,7 @@ void for_each(std::int64_t n, const F& f) {
     check(cudaGetLastError(), "start a loop on the device");
 }
 
-/// Same bits as parallel::reduce with the same functors.
+/// Same result as parallel::reduce with the same functors.
 template <class T, class Map, class Fold>
 T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold, std::int64_t block = reduce_block) {
     static_assert(sizeof(T) * detail::threads_per_block <= 48 * 1024, "one tile must fit in shared memory");
@@ -101,6 +150,22 @@ T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold, st
         total = fold(total, p);
     }
     return total;
+}
+
+/// Same bits as parallel::sum with the same functor.
+template <class Map>
+SumOf<Map> sum(std::int64_t n, const Map& map, std::int64_t block = reduce_block) {
+    using T = SumOf<Map>;
+    if (n <= 0) {
+        return {};
+    }
+    constexpr auto threads = static_cast<unsigned>(detail::chains_at_a_time<T>() * sum_chain);
+    const std::int64_t block_count = (n + block - 1) / block;
+    DeviceArray<T> partial(static_cast<std::size_t>(block_count));
+    detail::sum_kernel<<<static_cast<unsigned>(block_count), threads, sizeof(T) * threads>>>(n, block, map,
+                                                                                             partial.data());
+    check(cudaGetLastError(), "start a sum on the device");
+    return total_of(partial.download());
 }
 
 /// out[i] = in[0] + ... + in[i-1]; returns the total. `out` may be `in`. T is an integer type.
@@ -162,6 +227,11 @@ struct Device {
     template <class T, class Map, class Fold>
     static T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold) {
         return cuda::reduce(n, identity, map, fold);
+    }
+    template <class Map>
+    static SumOf<Map> sum(const Blocks& blocks, const Map& map) {
+        RIPRAP_ASSERT(blocks.are_all(), "a device holds all blocks");
+        return cuda::sum(blocks.size(), map);
     }
     static void sort_by_key(Array<std::uint64_t>& keys, Array<std::uint32_t>& values) {
         cuda::sort_by_key(keys, values);

@@ -7,8 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "riprap/core/blocks.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 
 namespace riprap::parallel {
 
@@ -45,6 +47,11 @@ struct Host {
     template <class T, class Map, class Fold>
     static T reduce(std::int64_t n, const T& identity, const Map& map, const Fold& fold) {
         return parallel::reduce(n, identity, map, fold);
+    }
+    /// See parallel::sum.
+    template <class Map>
+    static SumOf<Map> sum(const Blocks& blocks, const Map& map) {
+        return parallel::sum(blocks, map);
     }
     /// See parallel::sort_by_key.
     static void sort_by_key(Array<std::uint64_t>& keys, Array<std::uint32_t>& values) {

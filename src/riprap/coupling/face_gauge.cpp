@@ -35,6 +35,10 @@ NearFace nearest_face(const geometry::ConvexView& shape, const Vec3& x, bool is_
 
 }  // namespace
 
+Vec3 tangent(const Vec3& normal, bool is_planar) {
+    return normalized(cross(normal, is_planar || std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
+}
+
 std::optional<FaceGauge> find_face(const geometry::ShapeSet& shapes, const body::BodySet& bodies,
                                    const body::BodyState& initial, std::span<const std::uint8_t> is_dry,
                                    const Vec3& place, double reach, BodyId only) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/coupling/fill_lattice.hpp"
 #include "riprap/coupling/fill_solids.hpp"
 #include "riprap/coupling/pack_sums.hpp"
@@ -101,6 +102,12 @@ class Crowd {
 /// Sum and largest of what is uneven [-].
 struct Uneven {
     double sum{0}, most{0};
+
+    template <class By>
+    static void join(Uneven& a, const Uneven& b, const By& by) {
+        by.add(a.sum, b.sum);
+        by.largest(a.most, b.most);
+    }
 };
 
 /// The place next to x that is as far from faces as `fill` allows, on the plane of x in planar scenes; still near one
@@ -168,15 +175,10 @@ void settle(const fluid::ParticleSettings& settings, const FillSolids& solids, C
     double left = std::numeric_limits<double>::infinity();  // sum of what is uneven when progress was looked at last
     for (packed.sweeps = 0; packed.sweeps < sweeps; ++packed.sweeps) {
         const std::vector<Vec3>& slope = crowd.slopes();
-        const Uneven uneven = parallel::reduce(
-            count, Uneven{},
-            [&](std::int64_t m) {
-                const double left_over = dp * norm(guard.along_faces(at(m), slope[at(m)]));
-                return Uneven{left_over, left_over};
-            },
-            [](const Uneven& a, const Uneven& b) {
-                return Uneven{a.sum + b.sum, std::max(a.most, b.most)};
-            });
+        const Uneven uneven = parallel::sum(count, [&](std::int64_t m) {
+            const double left_over = dp * norm(guard.along_faces(at(m), slope[at(m)]));
+            return Uneven{left_over, left_over};
+        });
         packed.unevenness = uneven.most;
         const bool is_look = packed.sweeps % patience == patience - 1;
         if (uneven.most < even || (is_look && uneven.sum > gain * left)) {

@@ -12,6 +12,7 @@ namespace riprap::fluid {
 struct FluidBalance {
     double kinetic{0};                  ///< [J]
     double potential{0};                ///< -sum m g.x; gravity along periodic axes is in work_external [J]
+    Vec3 gravity{}, mass_moment{};      ///< g of this potential [m/s^2]; sum m x, of its components alone [kg m]
     double internal{0};                 ///< of compression [J]
     double work_on_solids{0};           ///< in this step [J]
     double work_external{0};            ///< in this step, by what is neither fluid nor solid [J]

@@ -23,6 +23,7 @@ constexpr std::array later_fields{
     LaterField{"coupling.missed_turn", 5, ""},
     LaterField{"coupling.untold_way", 5, ""},
     LaterField{"coupling.untold_turn", 5, ""},
+    LaterField{"gauges.shown", 6, ""},
     LaterField{"fluid.flow_place", 6, ""},
     LaterField{"fluid.flow_velocity", 6, ""},
     LaterField{"fluid.flow_density", 6, ""},

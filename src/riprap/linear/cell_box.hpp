@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 
 namespace riprap::linear {
 
@@ -65,11 +66,18 @@ void for_rows(const CellBox& box, const F& f) {
     });
 }
 
-/// Folds f(start, row) over all rows in a fixed order, so that the sum has the same bits at any thread count.
+/// Folds f(start, row) over all rows, for a fold whose result has no order: a largest, a count.
 template <class T, class F, class Fold>
 T reduce_rows(const CellBox& box, const T& identity, const F& f, const Fold& fold) {
     return parallel::reduce(
         box.row_count(), identity, [&](std::int64_t row) { return f(box.row_start(row), row); }, fold, box.row_grain());
+}
+
+/// Adds up f(start, row) over all rows: in order within blocks of row_grain() rows, and blocks exactly.
+template <class F>
+auto sum_rows(const CellBox& box, const F& f) {
+    return parallel::sum(
+        box.row_count(), [&](std::int64_t row) { return f(box.row_start(row), row); }, box.row_grain());
 }
 
 }  // namespace riprap::linear

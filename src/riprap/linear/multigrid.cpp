@@ -55,7 +55,7 @@ std::array<bool, 3> Multigrid::axes_to_coarsen(const Level& level) {
             }
             return sum;
         };
-        mean[at(a)] = reduce_rows(level.box, 0.0, sum_row, [](double x, double y) { return x + y; });
+        mean[at(a)] = sum_rows(level.box, sum_row);
     }
     const double largest = std::max({mean[0], mean[1], mean[2]});
     std::array<bool, 3> which{};

@@ -48,15 +48,12 @@ void apply_row(const FaceConductance& m, const double* x, double* y, std::int64_
 /// Share of ||b|| below which a residual is round-off [-].
 constexpr double round_off = 1e-14;
 
-double sum_of(double a, double b) { return a + b; }
-
 }  // namespace
 
 double dot_cells(const CellBox& box, const std::vector<double>& x, const std::vector<double>& y) {
-    return reduce_rows(
-        box, 0.0,
-        [&](std::int64_t start, std::int64_t) { return dot_row(x.data() + start, y.data() + start, box.cells[0]); },
-        sum_of);
+    return sum_rows(box, [&](std::int64_t start, std::int64_t) {
+        return dot_row(x.data() + start, y.data() + start, box.cells[0]);
+    });
 }
 
 void apply_operator(const FaceConductance& a, const std::vector<double>& x, std::vector<double>& y) {
@@ -74,26 +71,22 @@ PoissonReport PoissonSolver::solve(const FaceConductance& a, const std::vector<d
     q.resize(at(box.size));
     d.assign(at(box.size), 0.0);  // beyond the sides too, where the operator reads it
     const double b_norm = std::sqrt(dot_cells(box, b, b));
-    double rr = reduce_rows(
-        box, 0.0,
-        [&](std::int64_t s, std::int64_t) {
-            apply_row(a, p.data() + s, q.data() + s, s);
-            for (std::int64_t i = s; i < s + n; ++i) {
-                r[at(i)] = b[at(i)] - q[at(i)];
-            }
-            return dot_row(r.data() + s, r.data() + s, n);
-        },
-        sum_of);
+    double rr = sum_rows(box, [&](std::int64_t s, std::int64_t) {
+        apply_row(a, p.data() + s, q.data() + s, s);
+        for (std::int64_t i = s; i < s + n; ++i) {
+            r[at(i)] = b[at(i)] - q[at(i)];
+        }
+        return dot_row(r.data() + s, r.data() + s, n);
+    });
     const double first = std::sqrt(rr), goal = std::max({tolerance * first, enough, round_off * b_norm});
     PoissonReport report;
     double rz_before = 0, least = rr;
     while (std::sqrt(rr) > goal && report.iterations < max_iterations) {
         double factor = 0;  // z = factor times what the cycle gives
         const std::vector<float>& z = multigrid_.apply(r, std::sqrt(rr), factor);
-        const double rz =
-            factor *
-            reduce_rows(
-                box, 0.0, [&](std::int64_t s, std::int64_t) { return dot_row(r.data() + s, z.data() + s, n); }, sum_of);
+        const double rz = factor * sum_rows(box, [&](std::int64_t s, std::int64_t) {
+                              return dot_row(r.data() + s, z.data() + s, n);
+                          });
         if (!(rz > 0)) {
             break;
         }
@@ -103,27 +96,21 @@ PoissonReport PoissonSolver::solve(const FaceConductance& a, const std::vector<d
                 d[at(i)] = factor * static_cast<double>(z[at(i)]) + beta * d[at(i)];
             }
         });
-        const double dq = reduce_rows(
-            box, 0.0,
-            [&](std::int64_t s, std::int64_t) {
-                apply_row(a, d.data() + s, q.data() + s, s);
-                return dot_row(d.data() + s, q.data() + s, n);
-            },
-            sum_of);
+        const double dq = sum_rows(box, [&](std::int64_t s, std::int64_t) {
+            apply_row(a, d.data() + s, q.data() + s, s);
+            return dot_row(d.data() + s, q.data() + s, n);
+        });
         if (!(dq > 0)) {
             break;
         }
         const double alpha = rz / dq;
-        rr = reduce_rows(
-            box, 0.0,
-            [&](std::int64_t s, std::int64_t) {
-                for (std::int64_t i = s; i < s + n; ++i) {
-                    p[at(i)] += alpha * d[at(i)];
-                    r[at(i)] -= alpha * q[at(i)];
-                }
-                return dot_row(r.data() + s, r.data() + s, n);
-            },
-            sum_of);
+        rr = sum_rows(box, [&](std::int64_t s, std::int64_t) {
+            for (std::int64_t i = s; i < s + n; ++i) {
+                p[at(i)] += alpha * d[at(i)];
+                r[at(i)] -= alpha * q[at(i)];
+            }
+            return dot_row(r.data() + s, r.data() + s, n);
+        });
         rz_before = rz;
         ++report.iterations;
         least = std::min(least, rr);

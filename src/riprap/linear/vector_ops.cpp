@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/core/wide.hpp"
 
 namespace riprap::linear {
@@ -13,7 +14,7 @@ using Eight = Wide<double, 8>;
 
 double fold(const Eight& a) { return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7])); }
 
-/// Sums eight(i) over groups of eight entries and one(i) over the rest, in fixed blocks.
+/// Sums eight(i) over groups of eight entries and one(i) over the rest in fixed blocks, and the blocks exactly.
 template <class EightAt, class OneAt>
 double sum_in_blocks(std::size_t count, const EightAt& eight, const OneAt& one) {
     constexpr auto block = static_cast<std::size_t>(parallel::reduce_block);
@@ -30,8 +31,7 @@ double sum_in_blocks(std::size_t count, const EightAt& eight, const OneAt& one) 
         }
         return total;
     };
-    const auto plus = [](double a, double b) { return a + b; };
-    return parallel::reduce(static_cast<std::int64_t>((count + block - 1) / block), 0.0, sum_of_block, plus, 1);
+    return parallel::sum(static_cast<std::int64_t>((count + block - 1) / block), sum_of_block, 1);
 }
 
 }  // namespace

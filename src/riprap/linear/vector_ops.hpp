@@ -2,7 +2,7 @@
 #pragma once
 
 // Sums and updates over whole vectors with the same bits at any thread count: entries are folded into eight partial
-// sums within fixed blocks of parallel::reduce_block entries, and the blocks in index order.
+// sums within fixed blocks of parallel::reduce_block entries, and blocks are added up exactly, in no order.
 
 #include <cstdint>
 #include <span>

@@ -2,6 +2,7 @@
 #include "riprap/run/find_case.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 
 #include "riprap/core/error.hpp"
@@ -14,22 +15,27 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* case_file_name = "case.toml";
+constexpr std::array<const char*, 2> collections{"cases", "validation"};
 constexpr int build_depth = 4;   // build/<preset>/apps/riprap lies this far below the source tree
 constexpr int suite_depth = 3;   // validation/<suite>/<case>/case.toml
 constexpr int title_lines = 50;  // a title stands near the top or nowhere
+constexpr std::size_t most_meant = 3;
 
-/// The text of `title = "..."`, read without parsing: a listing must not fail on a broken case.
-std::string title_of(const fs::path& file) {
-    std::ifstream in(file);
+/// Title and source of a case file, read without parsing: a listing must not fail on a broken case.
+KnownCase headed(KnownCase known) {
+    std::ifstream in(known.file);
     std::string line;
     for (int i = 0; i < title_lines && std::getline(in, line); ++i) {
-        const std::size_t equals = line.find('=');
-        if (line.rfind("title", 0) == 0 && equals != std::string::npos) {
-            const std::size_t open = line.find('"', equals), close = line.rfind('"');
-            return open < close ? line.substr(open + 1, close - open - 1) : "";
+        const std::size_t open = line.find('"'), close = line.rfind('"');
+        const std::string key = line.substr(0, line.find_first_of(" ="));
+        if ((key == "title" || key == "source") && open < close) {
+            (key == "title" ? known.title : known.source) = line.substr(open + 1, close - open - 1);
+        }
+        if (line.starts_with('[')) {
+            break;
         }
     }
-    return "";
+    return known;
 }
 
 std::vector<fs::path>& added_roots() {
@@ -37,19 +43,71 @@ std::vector<fs::path>& added_roots() {
     return roots;
 }
 
-/// The known case that is most likely meant, as a question; empty when none is near.
-std::string did_you_mean(const std::string& text) {
-    std::vector<std::string> names;
-    for (const char* collection : {"cases", "validation"}) {
+/// A path below `cases/` or `validation/` without that folder: "validation/ding/arch" is "ding/arch".
+fs::path below_collection(const fs::path& path) {
+    const auto& known = collections;
+    const bool has_folder = !path.empty() && std::find(known.begin(), known.end(), *path.begin()) != known.end();
+    return has_folder ? path.lexically_relative(*path.begin()) : path;
+}
+
+/// Names of cases in the suite of `name`, or in any where it has none, that contain its last part or that are
+/// misspelt by it: at most `most_meant`, the nearest first.
+std::vector<std::string> nearest_names(const fs::path& name) {
+    const std::string suite = name.parent_path().generic_string(), last = name.filename().string();
+    std::vector<std::string> all, meant;
+    for (const char* collection : collections) {
         for (const KnownCase& known : known_cases(collection)) {
-            names.push_back(known.name);
+            const fs::path path(known.name);
+            all.push_back(known.name);
+            const bool is_part = last.size() >= 3 && path.filename().string().find(last) != std::string::npos;
+            if (is_part && (suite.empty() || path.parent_path() == suite)) {
+                meant.push_back(known.name);
+            }
         }
     }
-    std::string meant = scene::nearest(text, names);
-    if (meant.empty()) {  // "cases/hello_blok"
-        meant = scene::nearest(fs::path(text).filename().string(), names);
+    const auto distance = [&name](const std::string& known) {
+        return scene::edit_distance(name.generic_string(), known);
+    };
+    std::stable_sort(meant.begin(), meant.end(),
+                     [&distance](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
+    for (const std::string& word : {name.generic_string(), last}) {
+        const std::string near = meant.empty() ? scene::nearest(word, all) : "";
+        if (!near.empty()) {
+            meant.push_back(near);
+        }
     }
-    return meant.empty() ? "" : "; did you mean '" + meant + "'?";
+    meant.resize(std::min(meant.size(), most_meant));
+    return meant;
+}
+
+/// Known cases that are most likely meant, as a question; empty when none is near.
+std::string did_you_mean(const std::string& text) {
+    const std::vector<std::string> names = nearest_names(below_collection(text));
+    std::string question;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        question += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + ("'" + names[i] + "'");
+    }
+    return question.empty() ? "" : "; did you mean " + question + "?";
+}
+
+/// The file of a case below one root, by its name or by its path from there; empty where there is none.
+fs::path file_below(const fs::path& root, const fs::path& name) {
+    std::error_code error;
+    std::vector<fs::path> places;
+    for (const char* collection : collections) {
+        places.push_back(root / collection / name);
+    }
+    if (below_collection(name) != name) {  // "validation/ding/planar_arch", outside of that root
+        places.push_back(root / name);
+    }
+    for (const fs::path& place : places) {
+        for (const fs::path& file : {place / case_file_name, place}) {
+            if (file.filename() == case_file_name && fs::is_regular_file(file, error)) {
+                return file;
+            }
+        }
+    }
+    return {};
 }
 
 }  // namespace
@@ -86,11 +144,9 @@ fs::path find_case(const std::string& text) {
     // A name such as "hello_block" or "zhao/sliding"; a path that leads upwards is not a name.
     const bool is_name = path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
     for (const fs::path& root : is_name ? case_roots() : std::vector<fs::path>{}) {
-        for (const char* collection : {"cases", "validation"}) {
-            fs::path found = root / collection / path / case_file_name;
-            if (fs::is_regular_file(found, error)) {
-                return found;
-            }
+        fs::path found = file_below(root, path);
+        if (!found.empty()) {
+            return found;
         }
     }
     throw FileError("there is no case '" + text +
@@ -121,8 +177,7 @@ std::vector<KnownCase> known_cases(const std::string& collection) {
             const std::string name = entry->path().parent_path().lexically_relative(folder).generic_string();
             const auto has_name = [&name](const KnownCase& known) { return known.name == name; };
             if (entry->path().filename() == case_file_name && std::none_of(cases.begin(), cases.end(), has_name)) {
-                const fs::path file = entry->path();
-                cases.push_back({name, title_of(file), file.lexically_normal()});
+                cases.push_back(headed({name, "", "", entry->path().lexically_normal()}));
             }
         }
     }

@@ -9,8 +9,9 @@ namespace riprap::run {
 
 /// A case or a suite of cases that comes with Riprap.
 struct KnownCase {
-    std::string name;   ///< as `riprap run` takes it: "hello_block", "zhao/sliding"
-    std::string title;  ///< of the case file; empty where it has none
+    std::string name;    ///< as `riprap run` takes it: "hello_block", "zhao/sliding"
+    std::string title;   ///< of the case file; empty where it has none
+    std::string source;  ///< publication that it is taken from; empty where it names none
     std::filesystem::path file;
 };
 
@@ -22,7 +23,7 @@ void add_case_root(const std::filesystem::path& folder);
 std::vector<std::filesystem::path> case_roots();
 
 /// The case file that the command line means by `text`: a file, a folder with a case.toml, or the name of a known
-/// case. @throws FileError with the nearest thing to do
+/// case, with or without `cases/` or `validation/` before it. @throws FileError that names the nearest cases
 std::filesystem::path find_case(const std::string& text);
 
 /// A short name for the run folder of a case: that of its folder, or of its file where that is not case.toml.

@@ -161,6 +161,11 @@ sim::State restore_state(const io::Checkpoint& checkpoint, const sim::Model& mod
     if (!wrong.name.empty()) {
         refuse(checkpoint, fmt::format("{}{}[{}] is not a finite number", prefix, wrong.name, wrong.entry));
     }
+    const std::size_t shown = state.gauges.shown.size();
+    if (shown != 0 && shown != 3 * model.output.gauges.size()) {
+        refuse(checkpoint, fmt::format("section '{}gauges.shown' has {} entries, the case has {} gauges", prefix, shown,
+                                       model.output.gauges.size()));
+    }
     if (state.step < 0 || state.time < 0) {
         refuse(checkpoint, "time or step is negative");
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/run/end_causes.hpp"
@@ -183,6 +184,7 @@ std::vector<std::string> Simulation::totals() const {
 Summary Simulation::summary() const {
     Summary summary;
     summary.title = model().title;
+    summary.source = nlohmann::json::parse(loaded_.resolved_json).value("source", "");
     summary.state_hash = xxh3_of(state_);
     summary.steps = state_.step;
     summary.time = state_.time;

@@ -59,6 +59,7 @@ std::string summary_json(const Summary& summary) {
     const Json json{{"status", summary.status},
                     {"reason", summary.reason},
                     {"title", summary.title},
+                    {"source", summary.source},
                     {"set", summary.overrides},
                     {"warnings", summary.warnings},
                     {"state_hash", fmt::format("{:016x}", summary.state_hash)},

@@ -17,6 +17,7 @@ struct Summary {
     std::string status;  ///< "finished", "interrupted" or "failed"
     std::string reason;  ///< why it is not finished, empty else
     std::string title;
+    std::string source;  ///< publication that the case is taken from; empty where it names none
     std::uint64_t state_hash{0};
     std::int64_t steps{0};
     double time{0};           ///< [s]

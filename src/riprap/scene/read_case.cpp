@@ -95,8 +95,8 @@ Value with_ends(Value root, const std::optional<double>& written) {
 /// Hashes all that decides the motion: the other files and the resolved case, without the length of the run and its
 /// outputs. A checkpoint belongs to all cases that agree in this.
 std::uint64_t hash_of(Value root, const std::vector<InputFile>& inputs) {
-    constexpr std::array<std::string_view, 7> bystanders{"format", "title",  "end", "max_steps",
-                                                         "output", "expect", "vary"};
+    constexpr std::array<std::string_view, 8> bystanders{"format",    "title",  "source", "end",
+                                                         "max_steps", "output", "expect", "vary"};
     std::erase_if(root.entries, [&](const Entry& entry) {
         return std::find(bystanders.begin(), bystanders.end(), entry.key) != bystanders.end();
     });

@@ -10,6 +10,7 @@
 #include "riprap/sim/bound_methods.hpp"
 #include "riprap/sim/flow.hpp"
 #include "riprap/sim/fluid_exchange.hpp"
+#include "riprap/sim/gauge_reading.hpp"
 #include "riprap/sim/ledger_table.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/pieces.hpp"
@@ -103,6 +104,7 @@ StepReport advance(const Model& model, State& state, Scratch& scratch, double dt
     add_compensated(state.time, state.time_rest, dt);
     state.step += 1;
     if (step.report.status.ok()) {
+        follow(model, state, scratch, dt);
         accept_step(state.stepping);
     }
     return std::move(step.report);

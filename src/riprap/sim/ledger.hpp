@@ -12,7 +12,7 @@ namespace riprap::sim {
 struct FluidLedger {
     double kinetic{0}, potential{0}, internal{0};  ///< [J]
     double work_on_solids{0};                      ///< [J], accumulated like all below
-    double work_external{0};   ///< by gravity along periodic axes, penalty walls and water in joints [J]
+    double work_external{0};   ///< by gravity along periodic axes or that changes, penalty walls, water in joints [J]
     double transported{0};     ///< energy of fluid that came in less that of fluid that went [J]
     std::vector<double> own;   ///< accounts of the method, as it lists them [J]
     double artificial{0};      ///< sum of the sizes of its artificial accounts [J]

@@ -43,7 +43,15 @@ enum Total : std::size_t {
 };
 
 /// Entries behind the own accounts: a ledger written before there were these begins like one with them.
-enum Late : std::size_t { rest_highest, rest_rise, residual_of_first_steps, late_count };
+enum Late : std::size_t {
+    rest_highest,
+    rest_rise,
+    residual_of_first_steps,
+    fluid_gravity,
+    fluid_mass_moment = fluid_gravity + 3,
+    has_fluid_moment = fluid_mass_moment + 3,
+    late_count
+};
 
 std::size_t late(const Accounts& accounts, Late entry) {
     return own_accounts + accounts.solid.size() + accounts.fluid.size() + entry;
@@ -119,6 +127,8 @@ OwnSums add_up(std::span<const Account> accounts, const std::vector<double>& val
                 sums.given += value;
                 sums.largest_given = std::max(sums.largest_given, std::abs(value));
                 break;
+            case Balance::aside:
+                break;
         }
         sums.artificial += accounts[i].is_artificial ? std::abs(value) : 0;
     }
@@ -161,8 +171,19 @@ double first_residual(const Accounts& accounts, const LedgerState& state) {
 }
 
 bool take_up_old_totals(const Accounts& accounts, LedgerState& state) {
-    if (state.totals.size() == late(accounts, rest_highest)) {
-        state.totals.resize(late(accounts, late_count), 0.0);
+    if (const std::ptrdiff_t first = fluid_account(accounts, first_young_account); first >= 0) {
+        const std::size_t young = accounts.fluid.size() - static_cast<std::size_t>(first);
+        for (const Late missing : {rest_highest, fluid_gravity, late_count}) {
+            if (state.totals.size() + young == late(accounts, missing)) {
+                const auto end_of_old = static_cast<std::ptrdiff_t>(late(accounts, rest_highest) - young);
+                state.totals.insert(state.totals.begin() + end_of_old, young, 0.0);
+            }
+        }
+    }
+    for (const Late end_of_older : {rest_highest, fluid_gravity}) {
+        if (state.totals.size() == late(accounts, end_of_older)) {
+            state.totals.resize(late(accounts, late_count), 0.0);
+        }
     }
     return state.totals.size() == late(accounts, late_count);
 }
@@ -235,6 +256,24 @@ Ledger account(const solid::SolidReport& step, const Accounts& accounts, LedgerS
     return ledger;
 }
 
+namespace {
+
+/// Work of what changed gravity since the kick before, from g to g': the potential -g.X of the first moment X changes
+/// by
+/// -(g'.X' - g.X), of which the fluid gave its kinetic energy (g + g')/2.(X' - X).
+double work_of_gravity_change(const fluid::FluidBalance& step, const Accounts& accounts, std::vector<double>& totals) {
+    const std::size_t g = late(accounts, fluid_gravity), moment = late(accounts, fluid_mass_moment);
+    double& is_known = totals[late(accounts, has_fluid_moment)];
+    const double work =
+        is_known == 0 ? 0 : -0.5 * dot(step.gravity - get(totals, g), step.mass_moment + get(totals, moment));
+    put(totals, g, step.gravity);
+    put(totals, moment, step.mass_moment);
+    is_known = 1;
+    return work;
+}
+
+}  // namespace
+
 void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerState& state, Ledger& ledger) {
     const fluid::FluidBalance& step = all.step.balance;
     std::vector<double>& totals = state.totals;
@@ -244,6 +283,7 @@ void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerS
     fluid.potential = step.potential;
     fluid.internal = step.internal;
     fluid.work_on_solids = add_across(totals[fluid_on_solids], step.work_on_solids);
+    totals[fluid_external] += work_of_gravity_change(step, accounts, totals);
     fluid.work_external = add_across(totals[fluid_external], step.work_external);
     fluid.own = book(accounts.fluid, all.step.own, all.step.earlier,
                      totals.data() + own_accounts + accounts.solid.size(), is_first, 0.5);

@@ -48,8 +48,10 @@ constexpr std::array of_every_fluid{
     FluidLine{"fluid.internal", Balance::stored, &FluidLedger::internal, "of compression"},
     FluidLine{"fluid.work_on_solids", Balance::given, &FluidLedger::work_on_solids,
               "work on bodies, driven ones too, since time 0: negative where a paddle makes waves"},
-    FluidLine{"fluid.external", Balance::gained, &FluidLedger::work_external,
-              "work of gravity along periodic axes, of penalty walls and of water in joints, since time 0"},
+    FluidLine{
+        "fluid.external", Balance::gained, &FluidLedger::work_external,
+        "work of gravity along periodic axes, of what changes gravity, of penalty walls and of water in joints, since "
+        "time 0"},
     FluidLine{"fluid.transported", Balance::gained, &FluidLedger::transported,
               "energy of fluid that came in less that of fluid that left, since time 0"},
 };
@@ -60,7 +62,7 @@ void add_own(std::string_view side, std::span<const Account> accounts, std::vect
         const auto is_same = [&name](const LedgerLine& line) { return line.name == name; };
         if (std::none_of(lines.begin(), lines.end(), is_same)) {
             lines.push_back({std::move(name), account.entry, account.help, account.is_artificial, nullptr, nullptr,
-                             side == "fluid."});
+                             side == "fluid.", account.unit});
         }
     }
 }

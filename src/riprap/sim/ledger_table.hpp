@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The accounts of the energy balance by name: the one table behind ledger.csv, summary.json, quantities and Python.
+// The accounts of methods by name: the one table behind ledger.csv, summary.json, quantities and Python.
 
 #include <string>
 #include <string_view>
@@ -21,7 +21,7 @@ struct LedgerLine {
     double Ledger::*of_solid{nullptr};       ///< account of every solid; null for others
     double FluidLedger::*of_fluid{nullptr};  ///< account of every fluid; null for others
     bool is_of_fluid{false};
-    static constexpr std::string_view unit = "J";
+    std::string_view unit{"J"};
 };
 
 /// Returns the accounts that the methods of a case name themselves.
@@ -34,7 +34,7 @@ const std::vector<LedgerLine>& ledger_lines();
 /// Tells whether the methods of a case have an account.
 bool has_line(const Model& model, const LedgerLine& line);
 
-/// Returns the amount of an account [J]; NaN where the methods of the case do not have it.
+/// Returns the amount of an account in its unit; NaN where the methods of the case do not have it.
 double value_of(const LedgerLine& line, const Model& model, const Ledger& ledger);
 /// Returns the amount of the account called `name`; NaN where there is none.
 double value_of(std::string_view name, const Model& model, const Ledger& ledger);

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "riprap/fluid/gauge/gauge.hpp"
+#include "riprap/sim/gauge_reading.hpp"
 #include "riprap/sim/ledger_table.hpp"
-#include "riprap/sim/method_scratch.hpp"
 #include "riprap/sim/quantity_table.hpp"
 #include "riprap/sim/shown.hpp"
 
@@ -27,7 +27,7 @@ const std::vector<QuantityInfo>& all_infos() {
             list.push_back({field.name, field.unit, 1, true, field.help});
         }
         for (const LedgerLine& line : ledger_lines()) {
-            list.push_back({line.name, LedgerLine::unit, 1, false, line.help});
+            list.push_back({line.name, line.unit, 1, false, line.help});
         }
         for (const Quantity& quantity : scene_quantities()) {
             list.push_back(quantity.info);
@@ -97,34 +97,6 @@ std::string with_component(std::string_view name, const QuantityInfo& quantity, 
     return text;
 }
 
-template <class Fields>
-const Fields& fields_in(const FluidFields& fields) {
-    if constexpr (std::is_same_v<Fields, NoFields>) {
-        static const NoFields none;
-        return none;
-    } else {
-        return std::get<Fields>(fields);
-    }
-}
-
-/// Reads a gauge of the fluid of the case.
-fluid::GaugeReading read_gauge(const Moment& moment, const fluid::Gauge& gauge) {
-    const Model& model = moment.model;
-    const coupling::FaceGauge* const face =
-        gauge.face >= 0 ? &model.output.faces[static_cast<std::size_t>(gauge.face)] : nullptr;
-    const coupling::FluidScene scene{model.shapes, model.bodies, model.gravity};
-    return Fluids::visit(model.fluid, [&]<class Fluid>(const typename Fluid::Settings& settings) {
-        if ((gauge.kind->needs & ~Fluid::traits.offers) != 0) {
-            return fluid::GaugeReading{std::numeric_limits<double>::quiet_NaN()};
-        }
-        const auto* const scratch = moment.scratch == nullptr
-                                        ? nullptr
-                                        : std::get_if<typename Fluid::Scratch>(&moment.scratch->data().methods->fluid);
-        return Fluid::read({gauge, face, scene, settings, moment.state.fluid,
-                            fields_in<typename Fluid::Fields>(moment.state.fluid_fields), scratch, moment.state.time});
-    });
-}
-
 /// Number of units of a group that have moved farther than its distance, or N_od, that number per strip as wide as a
 /// nominal diameter.
 double read_damage(const Moment& moment, const Damage& group, int component) {
@@ -176,11 +148,8 @@ bool is_of_points(const QuantityInfo& quantity) {
 
 double evaluate(const Column& column, const Moment& moment) {
     if (column.gauge >= 0) {
-        const fluid::Gauge& gauge = moment.model.output.gauges[static_cast<std::size_t>(column.gauge)];
-        const body::BodyState& bodies = moment.state.bodies;
-        const bool is_carried = gauge.carrier >= 0 && gauge.face < 0;
-        return read_gauge(moment, is_carried ? carried(gauge, bodies.position, bodies.orientation)
-                                             : gauge)[static_cast<std::size_t>(column.component)];
+        return read_gauge(moment.model, moment.state, moment.scratch,
+                          static_cast<std::size_t>(column.gauge))[static_cast<std::size_t>(column.component)];
     }
     if (column.damage >= 0) {
         return read_damage(moment, moment.model.output.damage[static_cast<std::size_t>(column.damage)],

@@ -54,6 +54,15 @@ struct StepControl {
     }
 };
 
+/// What instruments that respond slowly show; see gauge_reading.hpp.
+struct GaugeState {
+    std::vector<double> shown;  ///< three for each gauge, once one that responds slowly has followed a step
+    template <class Self, class Visit>
+    static void visit_fields(Self& self, Visit&& visit) {
+        visit("gauges.shown", self.shown);
+    }
+};
+
 /// Everything that changes and must be saved to continue. Restart = write State, read State.
 struct State {
     double time{0};       ///< [s]
@@ -64,6 +73,7 @@ struct State {
     body::BodyState bodies;
     contact::ContactHistory contacts;
     LedgerState ledger;
+    GaugeState gauges;
     fluid::ParticleState fluid;  ///< empty without water
     fluid::OpenState open;       ///< of its inflows and outflows
     coupling::CouplingState coupling;
@@ -80,6 +90,7 @@ struct State {
         body::BodyState::visit_fields(self.bodies, visit);
         contact::ContactHistory::visit_fields(self.contacts, visit);
         LedgerState::visit_fields(self.ledger, visit);
+        GaugeState::visit_fields(self.gauges, visit);
         fluid::ParticleState::visit_fields(self.fluid, visit);
         fluid::OpenState::visit_fields(self.open, visit);
         coupling::CouplingState::visit_fields(self.coupling, visit);

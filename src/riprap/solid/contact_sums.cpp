@@ -3,34 +3,39 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "riprap/core/index.hpp"
-#include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 
 namespace riprap::solid {
 
+// A potential that is not a number counts as the deepest.
+void PolyhedralSums::take_deeper(const PolyhedralSums& other) {
+    if (other.deepest < 0) {
+        return;
+    }
+    const bool is_none = std::isnan(potential), is_other_none = std::isnan(other.potential);
+    const bool is_deeper = is_none != is_other_none ? is_other_none : !is_none && other.potential > potential;
+    const bool is_same = is_none == is_other_none && (is_none || other.potential == potential);
+    if (deepest < 0 || is_deeper || (is_same && other.deepest < deepest)) {
+        potential = other.potential;
+        deepest = other.deepest;
+    }
+}
+
 PolyhedralSums sum_contacts(const contact::ContactRows& rows, const contact::ContactHistory& history) {
-    return parallel::reduce(
-        static_cast<std::int64_t>(rows.size()), PolyhedralSums{},
-        [&](std::int64_t i) {
-            const contact::ContactRow& row = rows[at(i)];
-            return PolyhedralSums{
-                row.elastic_energy, history.shear_energy[at(i)], row.friction_loss, row.potential, row.overlap, i};
-        },
-        [](PolyhedralSums a, const PolyhedralSums& b) {
-            a.elastic += b.elastic;
-            a.shear += b.shear;
-            a.friction_loss += b.friction_loss;
-            a.overlap = std::max(a.overlap, b.overlap);
-            // A potential that is not a number counts as the deepest and stays so.
-            if (b.deepest >= 0 && (a.deepest < 0 || (!std::isnan(a.potential) && !(b.potential <= a.potential)))) {
-                a.potential = b.potential;
-                a.deepest = b.deepest;
-            }
-            return a;
-        });
+    return parallel::sum_exactly(static_cast<std::int64_t>(rows.size()), [&](std::int64_t i) {
+        const contact::ContactRow& row = rows[at(i)];
+        PolyhedralSums one;
+        one.elastic = row.elastic_energy;
+        one.shear = history.shear_energy[at(i)];
+        one.friction_loss = row.friction_loss;
+        one.potential = row.potential;
+        one.overlap = row.overlap;
+        one.deepest = i;
+        return one;
+    });
 }
 
 Outcome judge_overlap(const body::BodySet& bodies, double max_potential, const PolyhedralSums& contacts,

@@ -10,6 +10,7 @@
 #include "riprap/contact/law/mindlin.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/solid/lanes.hpp"
 
 namespace riprap::solid {
@@ -76,7 +77,7 @@ struct KickTerms {
 constexpr std::size_t kick_terms = sizeof(KickTerms) / sizeof(double);
 static_assert(kick_terms == free_terms + 2 + 3 * 3);
 
-/// Sums over bodies in their order.
+/// Sums over the bodies of a block in their order.
 struct KickSums {
     std::array<double, kick_terms> sum{};
     std::array<FreeTerms<Native>, parts> wide{};  ///< of bodies that came eight at a time, lane by lane
@@ -109,12 +110,15 @@ struct KickSums {
         max_speed = std::max(max_speed, speed);
         worst_body = worst_body >= 0 || is_sane ? worst_body : body;
     }
-    void add(const KickSums& after) {
+    /// Of blocks that are folded.
+    template <class By>
+    static void join(KickSums& a, const KickSums& b, const By& by) {
         for (std::size_t k = 0; k < kick_terms; ++k) {
-            sum[k] += after.sum[k];
+            by.add(a.sum[k], b.sum[k]);
         }
-        max_speed = std::max(max_speed, after.max_speed);
-        worst_body = worst_body >= 0 ? worst_body : after.worst_body;
+        by.largest(a.max_speed, b.max_speed);
+        const bool is_first = b.worst_body >= 0 && (a.worst_body < 0 || b.worst_body < a.worst_body);
+        a.worst_body = is_first ? b.worst_body : a.worst_body;
     }
     KickReport report() const {
         const auto t = std::bit_cast<KickTerms>(sum);
@@ -353,11 +357,7 @@ KickReport kick(const body::BodySet& bodies, const DemSettings& settings, const 
         sums.fold();
         blocks[at(begin / kick_block)] = sums;
     });
-    KickSums total;
-    for (const KickSums& block : blocks) {
-        total.add(block);
-    }
-    return total.report();
+    return parallel::total_of(blocks).report();
 }
 
 }  // namespace riprap::solid

@@ -296,6 +296,7 @@ class Packer {
         Json json{{"format", format},
                   {"chunks", chunks},
                   {"title", run_.title},
+                  {"source", run_.source},
                   {"status", run_.status},
                   {"gravity", {run_.gravity.x, run_.gravity.y, run_.gravity.z}},
                   {"gravity_at", gravity_of_frames()},

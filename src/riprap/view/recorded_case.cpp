@@ -131,6 +131,9 @@ void read_resolved(RecordedRun& run, const std::filesystem::path& path) {
     if (const scene::Value* title = root.find("title"); title != nullptr && title->is_text()) {
         run.title = title->text;
     }
+    if (const scene::Value* source = root.find("source"); source != nullptr && source->is_text()) {
+        run.source = source->text;
+    }
     if (const scene::Value* materials = root.find("material"); materials != nullptr && materials->is_table()) {
         for (const scene::Entry& entry : materials->entries) {
             run.material_names.push_back(entry.key);

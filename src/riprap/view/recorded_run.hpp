@@ -42,6 +42,7 @@ struct StillWater {
 struct RecordedRun {
     std::filesystem::path root;
     std::string title;
+    std::string source;  ///< publication that the case is taken from; empty where it names none
     std::string status;  ///< "finished", "interrupted", "failed", or "not finished"
     std::vector<FrameFiles> frames;
     io::CsvTable probes, ledger;

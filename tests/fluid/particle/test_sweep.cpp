@@ -309,7 +309,8 @@ TEST(sweep, over_sets_that_are_placed_once_for_all_lists_gives_the_same_bits) {
         return water;
     };
     for (int step = 0; step < 12; ++step) {
-        lists.place(both.water.reach(), both.water.position, both.wall.position);
+        const parallel::Blocks blocks(static_cast<std::int64_t>(both.water.size()));
+        lists.place(both.water.reach(), blocks, both.water.position, both.wall.position);
         EXPECT_TRUE(rates(lists.fluid_fluid, lists.fluid_walls, lists.walls_fluid) ==
                     rates(apart_within, apart_across, apart_back))
             << step;

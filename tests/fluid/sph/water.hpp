@@ -82,7 +82,7 @@ struct Water {
         accelerate(gravity, dt);
         drift(settings, state, 0.5 * dt);
         dissipated_viscous += report.dissipated_viscous;
-        dissipated_diffusion += report.dissipated_diffusion;
+        dissipated_diffusion += report.by_density.sum();
         shifted += report.shifted;
         work_on_solids += report.work_on_solids;
         wall_exchange += report.wall_exchange + report.earlier_exchange;

@@ -70,7 +70,7 @@ struct Pool {
         accelerate(gravity, dt);
         drift(settings, state, 0.5 * dt);
         viscous += report.dissipated_viscous + report.earlier_heat;
-        diffusion += report.dissipated_diffusion;
+        diffusion += report.by_density.sum();
         collisions += report.dissipated_collisions + report.earlier_collisions;
         shifted += report.shifted;
         work_on_solids += report.work_on_solids;

@@ -239,7 +239,9 @@ TEST(WcmpsConstants, two_particles_of_the_surface_that_meet_part_with_half_of_th
     pool.add_particle({0.016, 0, 0}, {-0.5, 0.1, 0});
     OpenWcmps& scheme = pool.verbs();
     scheme.surface_.classes = {SurfaceClass::surface, SurfaceClass::near};
-    const auto place = [&] { scheme.lists_.place(reach_of(pool.settings), pool.state.position, {}); };
+    const auto place = [&] {
+        scheme.lists_.place(reach_of(pool.settings), pool.state.blocks(), pool.state.position, {});
+    };
     place();
     ASSERT_TRUE(scheme.find_collisions(pool.state));
     const std::vector<Vec3>& change = scheme.collisions_.change;

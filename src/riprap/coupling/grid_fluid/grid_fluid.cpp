@@ -73,18 +73,15 @@ std::vector<double> added_mass_shares(const FluidScene& scene, const GridFluidSe
 
 Vec3 momentum_of(const GridSettings& settings, const GridState& state, const GridScratch& s) {
     const auto& box = settings.mesh.box;
-    return fluid::grid::reduce_cells(
-        box, Vec3{},
-        [&](std::int64_t c, int, int, int) {
-            const double mass = s.room.capacity[at(c)] * fluid::grid::density_of(settings, state.fraction[at(c)]);
-            Vec3 p{};
-            for (int a = 0; a < box.axes; ++a) {
-                const auto& u = state.velocity[at(a)];
-                p[a] = 0.5 * mass * (u[at(c)] + u[at(c + box.stride[at(a)])]);
-            }
-            return p;
-        },
-        [](const Vec3& a, const Vec3& b) { return a + b; });
+    return fluid::grid::sum_cells(box, [&](std::int64_t c, int, int, int) {
+        const double mass = s.room.capacity[at(c)] * fluid::grid::density_of(settings, state.fraction[at(c)]);
+        Vec3 p{};
+        for (int a = 0; a < box.axes; ++a) {
+            const auto& u = state.velocity[at(a)];
+            p[a] = 0.5 * mass * (u[at(c)] + u[at(c + box.stride[at(a)])]);
+        }
+        return p;
+    });
 }
 
 double fastest_water(const GridSettings& settings, const GridState& state, const GridScratch& s) {
@@ -106,12 +103,11 @@ double fastest_water(const GridSettings& settings, const GridState& state, const
         fluid::grid::max_of));
 }
 
-/// Potential energy that cells cut by bodies have beyond that of their water at their centres [J]: the first moment of
-/// what is open in a cell, by the divergence theorem over its open faces and facets, exact for polyhedra.
-double potential_of_cut_cells(const GridSettings& settings, const GridState& water, const GridScratch& s,
-                              const CutBodies& cut) {
+/// First moment of mass that cells cut by bodies have beyond that of their water at their centres [kg m]: that of what
+/// is open in a cell, by the divergence theorem over its open faces and facets, exact for polyhedra.
+Vec3 moment_of_cut_cells(const GridSettings& settings, const GridState& water, const GridScratch& s,
+                         const CutBodies& cut) {
     const fluid::grid::Mesh& mesh = settings.mesh;
-    const Vec3 g = fluid::grid::body_force(settings, water.time);
     std::vector<std::int64_t> cells;
     for (const CutFacet& facet : cut.facets) {
         if (s.open.volume[at(facet.cell)] > 0 && bounds_cell(facet)) {
@@ -149,10 +145,10 @@ double potential_of_cut_cells(const GridSettings& settings, const GridState& wat
             }
         }
     }
-    double sum = 0;
+    Vec3 sum{};
     for (std::size_t k = 0; k < cells.size(); ++k) {
         const double porosity = s.medium.has_stones ? s.medium.porosity[at(cells[k])] : 1;
-        sum -= porosity * fluid::grid::density_of(settings, water.fraction[at(cells[k])]) * dot(g, moment[k]);
+        sum += porosity * fluid::grid::density_of(settings, water.fraction[at(cells[k])]) * moment[k];
     }
     return sum;
 }
@@ -172,12 +168,11 @@ double work_of_half(const GridSettings& settings, const GridState& water, const 
     return 0.5 * dt * power;
 }
 
-/// What the potential energy lacks to that of the time of the velocities: in one pass the water goes through a step
+/// What the first moment of mass lacks to that of the time of the velocities: in one pass the water goes through a step
 /// with the velocity of its start, so it is behind by half of what the speed grew, and all of it since the start adds
-/// up to
-/// - dt/2 rho g.u [J].
-double lag_of(const GridSettings& settings, const Vec3& momentum, double dt, double time) {
-    return settings.outer_corrections > 1 ? 0 : -0.5 * dt * dot(fluid::grid::body_force(settings, time), momentum);
+/// up to dt/2 rho u [kg m].
+Vec3 lag_of(const GridSettings& settings, const Vec3& momentum, double dt) {
+    return settings.outer_corrections > 1 ? Vec3{} : 0.5 * dt * momentum;
 }
 
 /// Energy that comes in through the sides in a step: (P + rho u^2/2) u A dt with P = p - rho g.x of the cell inside
@@ -262,7 +257,8 @@ StepLimit GridFluid::limit() const {
     // cells, with the pressure there, and the pressure that starts a motion at once is the larger the shorter the step.
     if (has_free || scratch_->grid.pockets.empty()) {
         const GridSettings& grid = settings_->grid;
-        const double at_rest = std::sqrt(grid.courant * grid.mesh.smallest_width() / norm(grid.gravity));
+        const double at_rest =
+            std::sqrt(grid.courant * grid.mesh.smallest_width() / std::max(norm(grid.gravity), grid.full_gravity));
         limit.at_start = first_share * at_rest + share_of_time * fields_->water.time;
     }
     return limit;
@@ -280,11 +276,12 @@ Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const bo
         carry_with_flow(*settings_, water, s, span.dt);
         return {};
     }
-    scratch_->before.potential += lag_of(settings, scratch_->momentum_before, water.last_step, water.time);
+    scratch_->before.mass_moment += lag_of(settings, scratch_->momentum_before, water.last_step);
+    scratch_->due_before = 0;
     if (scratch_->cutter->moves()) {
         set_velocities(now, 0, scratch_->bodies);
-        scratch_->before.potential +=
-            potential_of_cut_cells(settings, water, s, scratch_->cut) -
+        scratch_->before.mass_moment += moment_of_cut_cells(settings, water, s, scratch_->cut);
+        scratch_->due_before =
             work_of_half(settings, water, s, scratch_->bodies, scratch_->cut, water.last_step, water.time);
         place_bodies(*scene_, *settings_, scratch_->shapes, middle, 0.5 * span.dt, false, scratch_->bodies);
         scratch_->cut = scratch_->cutter->cut(scratch_->bodies);
@@ -353,23 +350,27 @@ Outcome GridFluid::kick(const TimeSpan& span, FluidStep& report) {
     end_step(settings, water, s, span.dt);
     const fluid::grid::Energy& before = scratch_->before;
     fluid::grid::Energy after = read_energy(settings, water, s);
+    double due = 0;
     if (scratch_->cutter->moves()) {
-        after.potential += potential_of_cut_cells(settings, water, s, scratch_->cut) -
-                           work_of_half(settings, water, s, scratch_->bodies, scratch_->cut, span.dt, water.time);
+        after.mass_moment += moment_of_cut_cells(settings, water, s, scratch_->cut);
+        due = work_of_half(settings, water, s, scratch_->bodies, scratch_->cut, span.dt, water.time);
     }
     const Vec3 momentum = momentum_of(settings, water, s);
-    after.potential += settings_->is_carried ? 0 : lag_of(settings, momentum, span.dt, water.time);
+    after.mass_moment += settings_->is_carried ? Vec3{} : lag_of(settings, momentum, span.dt);
     fluid::FluidBalance& balance = report.balance;
+    balance.gravity = fluid::grid::body_force(settings, span.end());
+    balance.mass_moment = 0.5 * (before.mass_moment + after.mass_moment);
     balance.kinetic = 0.5 * (before.kinetic + after.kinetic);
-    balance.potential = 0.5 * (before.potential + after.potential);
+    balance.potential = -dot(balance.gravity, balance.mass_moment) - 0.5 * (scratch_->due_before + due);
+    const double gained = after.kinetic - before.kinetic - (due - scratch_->due_before) -
+                          dot(balance.gravity, after.mass_moment - before.mass_moment);
     balance.work_on_solids = span.dt * scratch_->power;
     // what bodies get of water that does not feel them comes from outside
     balance.work_external = through + (settings_->coupling == GridCoupling::one_way ? balance.work_on_solids : 0);
     if (settings_->is_carried) {  // by what the case does not say
-        balance.work_external = (after.kinetic + after.potential) - (before.kinetic + before.potential);
+        balance.work_external = gained;
     }
-    report.own = {(before.kinetic + before.potential) - (after.kinetic + after.potential) - balance.work_on_solids +
-                  balance.work_external};
+    report.own = {balance.work_external - gained - balance.work_on_solids};
     balance.momentum = momentum;
     balance.impulse = momentum - scratch_->momentum_before;
     balance.mass = settings.water.density * water_volume(settings, water, s);

@@ -53,6 +53,7 @@ class GridFluid final : public FluidMethod {
         std::vector<double> feedback;  ///< added mass over mass of bodies, as far as they are wet [-]
         std::vector<GridLoad> loads;
         fluid::grid::Energy before;
+        double due_before{0};  ///< work on bodies until the middle of the step [J]
         Vec3 momentum_before{};
         double power{0};  ///< of the last loads on all bodies [W]
         linear::PoissonReport solve;

@@ -221,13 +221,9 @@ struct Reader : fluid::WaterReader {
     /// Sum over the water in a box of `times(cell)` times its volume.
     template <class Times>
     double sum_in_box(const Vec3& low, const Vec3& high, const Times& times) const {
-        return fluid::grid::reduce_cells(
-            mesh().box, 0.0,
-            [&](std::int64_t c, int i, int j, int k) {
-                return covered(low, high, {i, j, k}) * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k) *
-                       times(c);
-            },
-            fluid::grid::sum_of);
+        return fluid::grid::sum_cells(mesh().box, [&](std::int64_t c, int i, int j, int k) {
+            return covered(low, high, {i, j, k}) * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k) * times(c);
+        });
     }
     double volume(const Vec3& low, const Vec3& high) const override {
         return sum_in_box(low, high, [](std::int64_t) { return 1.0; });
@@ -236,14 +232,11 @@ struct Reader : fluid::WaterReader {
     template <class Value>
     Vec3 mean_of(const Vec3& low, const Vec3& high, const Value& value) const {
         const double whole = volume(low, high);
-        const Vec3 sum = fluid::grid::reduce_cells(
-            mesh().box, Vec3{},
-            [&](std::int64_t c, int i, int j, int k) {
-                const double part =
-                    covered(low, high, {i, j, k}) * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k);
-                return part > 0 ? part * value(c, i, j, k) : Vec3{};
-            },
-            [](const Vec3& a, const Vec3& b) { return a + b; });
+        const Vec3 sum = fluid::grid::sum_cells(mesh().box, [&](std::int64_t c, int i, int j, int k) {
+            const double part =
+                covered(low, high, {i, j, k}) * share(c) * water.fraction[at(c)] * mesh().volume(i, j, k);
+            return part > 0 ? part * value(c, i, j, k) : Vec3{};
+        });
         return whole > 0 ? sum / whole : Vec3{};
     }
     Vec3 centre(const Vec3& low, const Vec3& high) const override {
@@ -261,9 +254,15 @@ struct Reader : fluid::WaterReader {
     }
     /// Squares of differences and their number.
     struct Misfit {
-        double square{0}, count{0};
+        double square{0};
+        std::int64_t count{0};
+
+        template <class By>
+        static void join(Misfit& a, const Misfit& b, const By& by) {
+            by.add(a.square, b.square);
+            by.add(a.count, b.count);
+        }
     };
-    static Misfit both(const Misfit& a, const Misfit& b) { return {a.square + b.square, a.count + b.count}; }
     /// Of the velocity across a face of a cell, where water lies on all sides of it that are in the domain.
     Misfit misfit_at(int a, std::array<int, 3> place, const Vec3& low, const Vec3& high) const {
         const auto& box = mesh().box;
@@ -293,40 +292,33 @@ struct Reader : fluid::WaterReader {
         }
         Vec3 error{};
         for (int a = 0; a < mesh().box.axes; ++a) {
-            const Misfit all = fluid::grid::reduce_cells(
-                mesh().box, Misfit{},
-                [&](std::int64_t, int i, int j, int k) {
-                    std::array<int, 3> place{i, j, k};
-                    const Misfit below = misfit_at(a, place, low, high);
-                    place[at(a)] += 1;
-                    return place[at(a)] < mesh().box.cells[at(a)] ? below : both(below, misfit_at(a, place, low, high));
-                },
-                both);
-            error[a] = all.count > 0 ? std::sqrt(all.square / all.count) : 0;
+            const Misfit all = fluid::grid::sum_cells(mesh().box, [&](std::int64_t, int i, int j, int k) {
+                std::array<int, 3> place{i, j, k};
+                Misfit misfit = misfit_at(a, place, low, high);
+                place[at(a)] += 1;
+                if (place[at(a)] == mesh().box.cells[at(a)]) {
+                    const Misfit above = misfit_at(a, place, low, high);
+                    misfit = {misfit.square + above.square, misfit.count + above.count};
+                }
+                return misfit;
+            });
+            error[a] = all.count > 0 ? std::sqrt(all.square / static_cast<double>(all.count)) : 0;
         }
         return error;
     }
     double changed(const Vec3& low, const Vec3& high) const override {
-        return fluid::grid::reduce_cells(
-            mesh().box, 0.0,
-            [&](std::int64_t c, int i, int j, int k) {
-                return covered(low, high, {i, j, k}) * share(c) * std::abs(water.fraction[at(c)] - (*at_start)[at(c)]) *
-                       mesh().volume(i, j, k);
-            },
-            fluid::grid::sum_of);
+        return fluid::grid::sum_cells(mesh().box, [&](std::int64_t c, int i, int j, int k) {
+            return covered(low, high, {i, j, k}) * share(c) * std::abs(water.fraction[at(c)] - (*at_start)[at(c)]) *
+                   mesh().volume(i, j, k);
+        });
     }
     double turbulent_energy(const Vec3& low, const Vec3& high) const override {
         const std::vector<double>& k = water.turbulent_energy;
         return k.empty() ? 0 : sum_in_box(low, high, [&k](std::int64_t c) { return k[at(c)]; });
     }
-    /// In front of a face: half a cell away from it, and the weight of water back to it.
-    double wall_pressure() const override {
-        if (wall == nullptr) {
-            return 0;
-        }
-        const auto b = at(wall->body.value);
-        const Vec3 foot = fields.cut_position[b] + rotate(fields.cut_orientation[b], wall->anchor);
-        const Vec3 normal = rotate(fields.cut_orientation[b], wall->normal);
+    /// In front of a face: half a cell away from it, and the weight of water back to it. Nothing where a solid is
+    /// there.
+    std::optional<double> pressure_on(const Vec3& foot, const Vec3& normal) const {
         for (const double away : {0.1, 0.5, 1.0}) {
             const Vec3 place = foot + (away * settings.spacing) * normal;
             const std::int64_t c = cell_at(place);
@@ -335,7 +327,31 @@ struct Reader : fluid::WaterReader {
                 return water.pressure[at(c)] + density * dot(fluid::grid::body_force(settings.grid, water.time), foot);
             }
         }
-        return 0;
+        return std::nullopt;
+    }
+    /// Mean over the square of the sensor, at points at most half a cell apart, without those that a solid covers.
+    double wall_pressure() const override {
+        if (wall == nullptr) {
+            return 0;
+        }
+        const auto b = at(wall->body.value);
+        const Quat& turn = fields.cut_orientation[b];
+        const Vec3 middle = fields.cut_position[b] + rotate(turn, wall->anchor), normal = rotate(turn, wall->normal);
+        const bool is_planar = mesh().box.axes == 2;
+        const Vec3 first = rotate(turn, tangent(wall->normal, is_planar)), second = cross(normal, first);
+        const int count = std::max(1, static_cast<int>(std::ceil(2 * wall->side / settings.spacing)));
+        double sum = 0, open_points = 0;
+        for (int i = 0; i < count; ++i) {
+            for (int j = 0; j < (is_planar ? 1 : count); ++j) {
+                const auto way = [&](int k) { return ((k + 0.5) / count - 0.5) * wall->side; };
+                const Vec3 foot = middle + way(i) * first + (is_planar ? 0.0 : way(j)) * second;
+                if (const std::optional<double> p = pressure_on(foot, normal)) {
+                    sum += *p;
+                    open_points += 1;
+                }
+            }
+        }
+        return open_points > 0 ? sum / open_points : 0;
     }
 };
 

@@ -129,7 +129,8 @@ std::vector<KeyProblem> GridFluidSettings::prepare(const FieldScene& given) {
     grid.water = {rest_density, kinematic_viscosity};
     grid.air = {air_density, air_viscosity};
     grid.gravity = scene.gravity.at(0);
-    if (scene.gravity.ramp > 0 || scene.gravity.turns()) {
+    if (scene.gravity.changes()) {
+        grid.full_gravity = norm(scene.gravity.value);
         grid.frame_acceleration = [gravity = scene.gravity, at_start = grid.gravity](double time) {
             return gravity.at(time) - at_start;
         };

@@ -34,20 +34,17 @@ double power_of_sliding_sides(const fluid::grid::GridSettings& settings, const f
             continue;
         }
         const int layer = side % 2 == 1 ? box.cells[at(a)] - 1 : 0;
-        power += fluid::grid::reduce_cells(
-            box, 0.0,
-            [&](std::int64_t cell, int i, int j, int k) {
-                const std::array<int, 3> place{i, j, k};
-                if (place[at(a)] != layer) {
-                    return 0.0;
-                }
-                double sum = 0;
-                for (int along = 0; along < box.axes; ++along) {
-                    sum += wall[along] != 0 ? wall[along] * shear_on(settings, s, side, along, place) : 0;
-                }
-                return sum * s.room.area[at(a)][at(side % 2 == 1 ? cell + box.stride[at(a)] : cell)];
-            },
-            fluid::grid::sum_of);
+        power += fluid::grid::sum_cells(box, [&](std::int64_t cell, int i, int j, int k) {
+            const std::array<int, 3> place{i, j, k};
+            if (place[at(a)] != layer) {
+                return 0.0;
+            }
+            double sum = 0;
+            for (int along = 0; along < box.axes; ++along) {
+                sum += wall[along] != 0 ? wall[along] * shear_on(settings, s, side, along, place) : 0;
+            }
+            return sum * s.room.area[at(a)][at(side % 2 == 1 ? cell + box.stride[at(a)] : cell)];
+        });
     }
     return power;
 }

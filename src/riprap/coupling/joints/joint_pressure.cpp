@@ -8,6 +8,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/coupling/joints/joint_rim.hpp"
 #include "riprap/coupling/joints/joint_water.hpp"
 #include "riprap/fluid/particle/cell_grid.hpp"
 
@@ -18,6 +19,8 @@ namespace {
 constexpr std::int64_t grain = 64;
 /// h |t| that uneven samples leave inside a joint, at most: at seams sums are off by 4 % of those at a plane wall.
 constexpr double uneven = 0.1;
+/// Reach of even_rim over the support, which the pieces of a rim lie apart across it at most.
+constexpr double rim_reach = 2;
 
 /// Tells whether some loose body meets water.
 bool is_any_wet(const SampleView& near, const JointSolids& solids, const fluid::WaterAtWalls& water) {
@@ -174,6 +177,7 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
         double head;  ///< at rest, of its place beyond that of the first piece [Pa]
     };
     std::vector<Piece> pieces;
+    std::vector<RimPart> parts;
     const fluid::NearestImage nearest(scene.settings.domain);
     const Vec3 pull = scene.settings.rest_density * scene.gravity;
     double highest = 0;  // head of the water above that of the first piece [Pa]
@@ -188,7 +192,10 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
             const RimPiece& part = pieces_[four_size * four + lane];
             const Vec3& place = scene.walls.position[pairs.fours()[four].sample(lane)];
             origin = pieces.empty() ? place : origin;
-            pieces.push_back({four, lane, dot(pull, nearest(place - origin))});
+            const Vec3 apart = nearest(place - origin);
+            pieces.push_back({four, lane, dot(pull, apart)});
+            const Vec3& inward = found_[four_size * four + lane].rim;
+            parts.push_back({apart, inward / norm(inward), part.wet + part.dry});
             if (part.wet > 0) {
                 const double head = part.pressure - pieces.back().head;
                 highest = is_wet ? std::max(highest, head) : head;
@@ -196,12 +203,14 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
             }
         }
     }
+    const std::vector<double> even = even_rim(parts, rim_reach * scene.settings.support_radius());
     std::size_t count = 0;
     rim.clear();
-    for (const Piece& piece : pieces) {
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const Piece& piece = pieces[k];
         const RimPiece& part = pieces_[four_size * piece.four + piece.lane];
-        const double dry = is_wet && highest + piece.head > 0 ? part.dry : 0;
-        if (!(part.wet + dry > 0)) {
+        const double wet = even[k] * part.wet, dry = is_wet && highest + piece.head > 0 ? even[k] * part.dry : 0;
+        if (!(wet + dry > 0)) {
             continue;
         }
         const std::size_t lane = count++ % four_size;
@@ -212,9 +221,9 @@ void JointStep<Real>::list_rim(const JointPairs& pairs, const JointScene& scene,
         for (std::size_t axis = 0; axis < 3; ++axis) {
             four.place[axis][lane] = placed_[piece.four].place[axis][piece.lane];
         }
-        four.all[lane] = static_cast<Real>(part.wet + dry);
-        four.wet[lane] = static_cast<Real>(part.wet);
-        four.pushed[lane] = static_cast<Real>(part.wet * part.pressure);
+        four.all[lane] = static_cast<Real>(wet + dry);
+        four.wet[lane] = static_cast<Real>(wet);
+        four.pushed[lane] = static_cast<Real>(wet * part.pressure);
     }
 }
 

@@ -37,10 +37,11 @@ struct JointSolids;
 ///     p_i = max(0, sum_r w_r c_r (p_r + rho_0 g . (x_i - x_r)) / sum_r w_r (c_r + e_r (1 - c_r))),
 ///     w_r = s_r V_r/(|x_i - x_r|^2 + dp^2/4)^((D-1)/2).
 ///
-/// s_r = max(0, h |t| - 0.1) says how much of a rim a sample r of the first layer is, t being the part along the face
-/// of the sum of V grad W over all solids; c_r = -t . G_water/(0.85 t^2), from 0 to 1, how much of what is open there
-/// is water; e_r is 1 where the head of some water at the rim reaches r and 0 where it does not: a dry rim above the
-/// water of an upright joint takes nothing from it. p_r is the mean of what walls feel about r.
+/// s_r = a_r max(0, h |t| - 0.1) says how much of a rim a sample r of the first layer is, t being the part along the
+/// face of the sum of V grad W over all solids and a_r the factor of even_rim; c_r = -t . G_water/(0.85 t^2), from 0 to
+/// 1, how much of what is open there is water; e_r is 1 where the head of some water at the rim reaches r and 0 where
+/// it does not: a dry rim above the water of an upright joint takes nothing from it. p_r is the mean of what walls feel
+/// about r.
 class JointPressure {
  public:
     JointPressure();

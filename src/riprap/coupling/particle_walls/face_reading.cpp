@@ -125,11 +125,6 @@ struct FacePlane {
     }
 };
 
-/// A unit vector along a face, the same whatever way the body is turned; in two dimensions in the plane.
-Vec3 tangent(const Vec3& normal, bool is_planar) {
-    return normalized(cross(normal, is_planar || std::abs(normal.z) < 0.7 ? Vec3{0, 0, 1} : Vec3{1, 0, 0}));
-}
-
 /// One face with what presses on it.
 class FaceReading {
  public:
@@ -142,7 +137,8 @@ class FaceReading {
           is_planar_(loaded.domain.dimension == 2),
           first_(rotate(pose_.orientation, tangent(gauge.normal, is_planar_))),
           second_(cross(n_, first_)),
-          far_(spline_end * loaded.spacing + loaded.reach),
+          side_(gauge.side),
+          far_(spline_end * loaded.spacing + loaded.reach + 0.5 * gauge.side),
           solids_(loaded, x_, 2 * far_),
           plane_{solids_, x_, n_, loaded.spacing},
           is_open_(plane_.is_open({}, gauge.body)) {
@@ -177,8 +173,8 @@ class FaceReading {
  private:
     Vec3 offset(const Vec3& place) const { return images_.nearest(place, x_) - x_; }
     double weight(const Vec3& d) const {
-        const double along = fluid::spline_weight(dot(d, first_), loaded_.spacing);
-        return is_planar_ ? along : along * fluid::spline_weight(dot(d, second_), loaded_.spacing);
+        const double along = fluid::sensor_weight(dot(d, first_), loaded_.spacing, side_);
+        return is_planar_ ? along : along * fluid::sensor_weight(dot(d, second_), loaded_.spacing, side_);
     }
     void add_sample(std::size_t i) {
         const Vec3 d = offset(loaded_.particles.position[i]);
@@ -223,6 +219,7 @@ class FaceReading {
     Vec3 x_, n_;
     bool is_planar_;
     Vec3 first_, second_;  ///< along the face
+    double side_;          ///< of the sensor's square [m]
     double far_;           ///< a particle moves forces by its reach at most [m]
     Solids solids_;
     FacePlane plane_;
@@ -244,7 +241,7 @@ double read_face(const FaceGauge& gauge, const LoadedFaces& loaded, const WaterA
 }
 
 bool is_near_edge(const FaceGauge& gauge, const LoadedFaces& loaded) {
-    return FaceReading(gauge, loaded).ends_within(near_edge * loaded.spacing);
+    return FaceReading(gauge, loaded).ends_within(near_edge * loaded.spacing + 0.5 * gauge.side);
 }
 
 bool is_open(const FaceGauge& gauge, const LoadedFaces& loaded) { return FaceReading(gauge, loaded).is_open(); }

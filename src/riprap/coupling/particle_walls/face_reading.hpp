@@ -32,9 +32,12 @@ struct LoadedFaces {
 ///
 ///     p = -sum_s (f_s . n) w(x_s) / sum_s A_s w(x_s),     w(x) = B(a) B(b), in two dimensions B(a),
 ///
+/// B(a) = 1/s int_(a-s/2)^(a+s/2) S da',
+///
 /// f_s the pressure force on boundary particle s behind the plane of the face, or the push of a particle on it, x_s its
-/// foot on the plane, a and b distances from the gauge along the face, B a cubic B-spline that is one spacing wide and
-/// ends at two (spline_weight of the fluid's gauges) and A_s the area that a particle of the first layer stands for. So
+/// foot on the plane, a and b distances from the gauge along the face, s the side of the square that the sensor takes
+/// the mean over, S a cubic B-spline that is one spacing wide and ends at two (B is S without a side: sensor_weight and
+/// spline_weight of the fluid's gauges) and A_s the area that a particle of the first layer stands for. So
 /// the impulse of what hits is right however few particles it is, where an average over the particles near the gauge
 /// takes one of them for a layer (docs/theory/coupling.md, 8).
 ///

@@ -13,7 +13,7 @@ double read_face(const FaceGauge& gauge, const LoadedFaces& loaded, const WaterA
 /// Spacings from an edge that stands out into the water within which a gauge reads too little [-].
 inline constexpr double near_edge = 2;
 
-/// Tells whether a gauge is nearer than that to an edge of its face.
+/// Tells whether a gauge, or the rim of its square, is nearer than that to an edge of its face.
 bool is_near_edge(const FaceGauge& gauge, const LoadedFaces& loaded);
 
 }  // namespace riprap::coupling

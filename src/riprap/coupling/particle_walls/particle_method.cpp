@@ -151,6 +151,15 @@ void ParticleMethod::load(const TimeSpan& span, const body::Motion& middle, Flui
     }
 }
 
+namespace {
+
+/// Account of the book of volume; schemes that count their density, and do not carry it on, have nothing in it.
+constexpr Account volume_account(std::string_view name, std::string_view help) {
+    return {name, Balance::aside, Booking::since_kick, help, false, "m^3"};
+}
+
+}  // namespace
+
 std::span<const Account> ParticleMethod::accounts() {
     static constexpr std::array table{
         Account{"viscous", Balance::lost, Booking::across_kick,
@@ -158,8 +167,7 @@ std::span<const Account> ParticleMethod::accounts() {
         Account{"collisions", Balance::lost, Booking::across_kick, "by collisions of particles that come too near",
                 true},
         Account{"diffusion", Balance::lost, Booking::since_kick,
-                "by the diffusion of density and by tearing; may be negative for a while, as neither is a friction",
-                true},
+                "by the diffusion of density; may be negative for a while, as it is no friction", true},
         Account{"projection", Balance::lost, Booking::across_kick, "by a pressure that is solved for", true},
         Account{"shifting", Balance::lost, Booking::since_kick,
                 "potential energy and that of compression that shifting took away", true},
@@ -170,6 +178,20 @@ std::span<const Account> ParticleMethod::accounts() {
                 true},
         Account{"absorbed", Balance::given, Booking::across_kick, "by sponges"},
         Account{"flow_work", Balance::given, Booking::across_kick, "of pressure at inflows and outflows"},
+        Account{first_young_account, Balance::lost, Booking::since_kick,
+                "compression that surfaces and walls let go where water tears off (docs/theory/sph.md, 4)", true},
+        Account{"escape", Balance::lost, Booking::since_kick,
+                "sound that leaves water caught between walls (docs/theory/sph.md, 4)", true},
+        Account{"return", Balance::lost, Booking::since_kick,
+                "by the return of the density to that of the places (docs/theory/wcmps.md, 6)", true},
+        volume_account("volume_by_flow", "change of the volume m/rho of water by flow: how far it has spread"),
+        volume_account("volume_by_diffusion", "the same by the diffusion of density"),
+        volume_account("volume_by_tearing", "the same where surfaces tear; below zero: flow gives as much"),
+        volume_account("volume_by_walls", "the same where water leaves walls"),
+        volume_account("volume_by_escape", "the same where water is caught between walls"),
+        volume_account("volume_by_shifting", "the same by shifting"),
+        volume_account("volume_by_return", "the same by the return of the density to that of the places"),
+        volume_account("volume_refused", "what shifting left alone, as it would be tension; no part of the sum"),
     };
     return table;
 }
@@ -196,13 +218,24 @@ Outcome ParticleMethod::kick(const TimeSpan& span, FluidStep& report) {
     report.balance = of;
     report.own = {of.dissipated_viscous,
                   of.dissipated_collisions,
-                  of.dissipated_diffusion,
+                  of.by_density.diffusion,
                   of.pressure_loss,
                   of.shifted,
                   of.wall_exchange,
                   0,  // straining: known once the blocks have moved
                   absorbed,
-                  flow_work};
+                  flow_work,
+                  of.by_density.tearing,
+                  of.by_density.escape,
+                  of.by_density.returned,
+                  of.volume.flow,
+                  of.volume.diffusion,
+                  of.volume.tearing,
+                  of.volume.walls,
+                  of.volume.escape,
+                  of.volume.shifting,
+                  of.volume.returned,
+                  of.volume.refused};
     report.earlier = {of.earlier_heat, of.earlier_collisions, 0, 0, 0, of.earlier_exchange};
     report.particles.through_walls = scratch.penalty.passages();
     report.particles.intruder = find_intruder(scene_->bodies, *water_, scratch);

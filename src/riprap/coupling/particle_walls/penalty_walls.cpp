@@ -6,7 +6,6 @@
 #include <ranges>
 
 #include "riprap/core/index.hpp"
-#include "riprap/core/parallel.hpp"
 #include "riprap/coupling/particle_walls/near_parts.hpp"
 #include "riprap/coupling/particle_walls/passage.hpp"
 #include "riprap/coupling/particle_walls/touch.hpp"
@@ -16,8 +15,27 @@ namespace riprap::coupling {
 
 namespace {
 
-constexpr std::int64_t block_size = 1024;  ///< particles whose pushes are kept together; decides no bit
+/// Particles whose pushes are kept together, and summed before blocks are: one of the blocks of their order.
+constexpr std::int64_t block_size = parallel::reduce_block;
 static_assert(block_size % fluid::SparseVectors::block_size == 0);
+
+/// Sums the pushes of a block of particles per body, in the order of the particles.
+void sum_by_body(const body::Motion& motion, const std::vector<PenaltyWalls::Push>& pushes,
+                 std::vector<PenaltyWalls::Reaction>& reactions) {
+    reactions.clear();
+    for (const PenaltyWalls::Push& push : pushes) {
+        auto of = std::ranges::lower_bound(reactions, push.body, {}, &PenaltyWalls::Reaction::body);
+        if (of == reactions.end() || of->body != push.body) {
+            of = reactions.insert(of, {push.body, {}, {}, {}});
+        }
+        const Vec3 arm = push.place - motion.pose[at(push.body)].position;
+        of->force -= push.force;
+        of->torque -= cross(arm, push.force);
+        if (motion.deforms()) {
+            of->pull += -1.0 * symmetric_product(push.force, arm);
+        }
+    }
+}
 
 /// Places all parts; those of dry bodies, and of a ground, which is met as one surface, reach nowhere.
 void place_parts(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::Motion& motion,
@@ -87,6 +105,7 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
     near_parts.find(parts, particles.position, settings.domain, within);
     force.reset(at(particles.size()));
     blocks_.resize(at((particles.size() + block_size - 1) / block_size));
+    reactions_.resize(blocks_.size());
     passed_.assign(blocks_.size(), {});
     const fluid::PeriodicImages images(settings.domain);
     const PassageScene scene{bodies, motion, parts, is_dry, images, settings.spacing, settings.dt};
@@ -138,12 +157,13 @@ void PenaltyWalls::push(const geometry::ShapeSet& shapes, const body::BodySet& b
                 pushes.push_back({touch.body, push, touch.place});
             }
         }
+        sum_by_body(motion, pushes, reactions_[at(begin / block_size)]);
     });
     passages_ = {};
     for (const WallPassages& passed : passed_) {
         passages_.add(passed);
     }
-    gather(bodies, motion, loads);
+    gather(bodies, motion, particles.blocks(), loads);
 }
 
 void PenaltyWalls::find_grounds(const geometry::ShapeSet& shapes, const body::BodySet& bodies) {
@@ -153,19 +173,22 @@ void PenaltyWalls::find_grounds(const geometry::ShapeSet& shapes, const body::Bo
     }
 }
 
-/// On one thread, in the order of the particles.
-void PenaltyWalls::gather(const body::BodySet& bodies, const body::Motion& motion, FluidLoads& loads) const {
+/// Per body in the order of the blocks of particles.
+void PenaltyWalls::gather(const body::BodySet& bodies, const body::Motion& motion, const parallel::Blocks& blocks,
+                          FluidLoads& loads) const {
     const auto count = at(bodies.size());
     loads.pressure.clear(count, motion.deforms());
     loads.viscous.clear(count, motion.deforms());
-    for (const std::vector<Push>& pushes : blocks_) {
-        for (const Push& push : pushes) {
-            const auto b = at(push.body);
-            loads.pressure.force[b] -= push.force;
-            const Vec3 arm = push.place - motion.pose[b].position;
-            loads.pressure.torque[b] -= cross(arm, push.force);
+    for (std::size_t k = 0; k < reactions_.size(); ++k) {
+        if (!blocks[static_cast<std::int64_t>(k)].own) {
+            continue;
+        }
+        for (const Reaction& reaction : reactions_[k]) {
+            const auto b = at(reaction.body);
+            loads.pressure.force[b] += reaction.force;
+            loads.pressure.torque[b] += reaction.torque;
             if (motion.deforms()) {
-                loads.pressure.pull[b] += -1.0 * symmetric_product(push.force, arm);
+                loads.pressure.pull[b] += reaction.pull;
             }
         }
     }

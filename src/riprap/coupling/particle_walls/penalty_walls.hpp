@@ -65,6 +65,13 @@ class PenaltyWalls {
         Vec3 place;  ///< of the image of the particle that the body meets [m]
     };
 
+    /// What the pushes of one block of particles do to one body.
+    struct Reaction {
+        std::int32_t body;
+        Vec3 force, torque;  ///< [N], [N m]
+        Sym3 pull;           ///< [N m]
+    };
+
     /// @param motion  of all bodies at the places of the particles
     /// @param is_dry  per body, of those that push nothing; empty = none
     /// @param share   per body, factor on stiffness and damping, for bodies too light for them; empty = 1
@@ -79,13 +86,15 @@ class PenaltyWalls {
     /// Particles that went through solid since they were pushed before, one step ago (passage.hpp).
     const WallPassages& passages() const { return passages_; }
 
-    std::size_t bytes() const { return bytes_of(blocks_) + bytes_of(passed_); }
+    std::size_t bytes() const { return bytes_of(blocks_) + bytes_of(reactions_) + bytes_of(passed_); }
 
  private:
     void find_grounds(const geometry::ShapeSet& shapes, const body::BodySet& bodies);
-    void gather(const body::BodySet& bodies, const body::Motion& motion, FluidLoads& loads) const;
+    void gather(const body::BodySet& bodies, const body::Motion& motion, const parallel::Blocks& blocks,
+                FluidLoads& loads) const;
 
-    std::vector<std::vector<Push>> blocks_;  ///< in the order of the particles, by blocks of them
+    std::vector<std::vector<Push>> blocks_;         ///< in the order of the particles, by blocks of them
+    std::vector<std::vector<Reaction>> reactions_;  ///< of the same blocks, by body
     WallPassages passages_;
     std::vector<WallPassages> passed_;   ///< by the same blocks
     std::vector<body::Ground> grounds_;  ///< found once: ground keeps its shape

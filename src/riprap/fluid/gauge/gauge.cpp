@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/gauge/gauge.hpp"
 
+#include <cmath>
+
 #include "riprap/fluid/gauge/gauge_kinds.hpp"
 
 namespace riprap::fluid {
+
+double lagged(double shown, double now, double dt, double response) {
+    return shown - std::expm1(-dt / response) * (now - shown);
+}
 
 std::span<const GaugeKind* const> gauge_kinds() { return all_gauges; }
 

@@ -54,11 +54,21 @@ struct Gauge {
     /// Number of the body that it moves with, whose frame `point` and `end` are in then; -1 = it stays where it is and
     /// they are in the world. Not for sections and boxes, which keep to the axes, nor for faces, which say it.
     std::int32_t carrier{-1};
+    double response{0};  ///< theta of an instrument that shows readings late [s]; 0 = at once
 };
 
 /// The gauge where its carrier is now, in the world and without a carrier; itself where it has none.
 /// @param position, orientation  of all bodies
 Gauge carried(const Gauge& gauge, std::span<const Vec3> position, std::span<const Quat> orientation);
+
+/// What an instrument that shows readings late shows a step later,
+///
+///     y + (1 - exp(-dt/theta)) (p - y),
+///
+/// of first order: the integral of y over time is that of p less theta times the change of y.
+/// @param shown, now  y before and the reading p after the step
+/// @param response    theta > 0 [s]
+double lagged(double shown, double now, double dt, double response);
 
 /// All kinds, in the order of the manual.
 std::span<const GaugeKind* const> gauge_kinds();

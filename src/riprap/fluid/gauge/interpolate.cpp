@@ -25,6 +25,26 @@ double spline_weight(double distance, double width) {
     return (u < 1 ? 4 - 6 * u * u + 3 * u * u * u : tail) / (6 * width);
 }
 
+namespace {
+
+/// Integral of the spline of width 1 from -2 to u.
+double spline_integral(double u) {
+    const double x = std::min(std::abs(u), 2.0), rest = 2 - x;
+    const double beyond = x < 1 ? 0.5 - x * (4 - x * x * (2 - 0.75 * x)) / 6 : rest * rest * rest * rest / 24;
+    return u < 0 ? beyond : 1 - beyond;
+}
+
+}  // namespace
+
+double sensor_weight(double distance, double width, double side) {
+    constexpr double least = 1e-4;  // of the width: less is a point, as the difference below would lose digits
+    if (side < least * width) {
+        return spline_weight(distance, width);
+    }
+    const double half = 0.5 * side;
+    return (spline_integral((distance + half) / width) - spline_integral((distance - half) / width)) / side;
+}
+
 std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const ParticleSettings& settings,
                                              const ParticleState& state) {
     const double reach = settings.support_radius();

@@ -16,6 +16,11 @@ namespace riprap::fluid {
 /// 1/w wherever they begin, so rows of particles at their spacing count exactly.
 double spline_weight(double distance, double width);  ///< [1/m]
 
+/// Mean of that spline over the distances from `distance` - side/2 to `distance` + side/2: what a sensor as long as
+/// `side` takes of a point. It goes over into the spline where the side goes to 0, and its sum over points w apart is
+/// exactly 1/w too.
+double sensor_weight(double distance, double width, double side);  ///< [1/m]
+
 /// Indices of the particles that have an image within a support of the line from a to b, ascending.
 std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const ParticleSettings& settings,
                                              const ParticleState& state);

@@ -36,7 +36,7 @@ double stable_step(const GridSettings& settings, GridState& state, GridScratch& 
         max_of);
     const double h = mesh.smallest_width();
     double dt = settings.longest_step;
-    const double g = norm(body_force(settings, state.time));
+    const double g = std::max(norm(body_force(settings, state.time)), settings.full_gravity);
     if (settings.has_surface && g > 0) {
         // the velocity grows by g dt within the step: C = (u + g dt) dt/h
         const double u = fastest * h;

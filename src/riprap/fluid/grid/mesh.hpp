@@ -91,7 +91,7 @@ void for_face_rows(const CellBox& box, int a, const F& f) {
                          });
 }
 
-/// Folds f(index, i, j, k) over all cells in a fixed order.
+/// Folds f(index, i, j, k) over all cells, for a fold whose result has no order.
 template <class T, class F, class Fold>
 T reduce_cells(const CellBox& box, const T& identity, const F& f, const Fold& fold) {
     return linear::reduce_rows(
@@ -107,7 +107,21 @@ T reduce_cells(const CellBox& box, const T& identity, const F& f, const Fold& fo
         fold);
 }
 
-inline double sum_of(double a, double b) { return a + b; }
+/// Adds up f(index, i, j, k) over all cells, see linear::sum_rows.
+template <class F>
+auto sum_cells(const CellBox& box, const F& f) {
+    return linear::sum_rows(box, [&](std::int64_t start, std::int64_t row) {
+        using T = std::invoke_result_t<const F&, std::int64_t, int, int, int>;
+        const parallel::JoinBy<parallel::AddRounded> by{};
+        T sum{};
+        const int j = static_cast<int>(row % box.cells[1]), k = static_cast<int>(row / box.cells[1]);
+        for (int i = 0; i < box.cells[0]; ++i) {
+            by.add(sum, f(start + i, i, j, k));
+        }
+        return sum;
+    });
+}
+
 inline double max_of(double a, double b) { return a > b ? a : b; }
 
 }  // namespace riprap::fluid::grid

@@ -70,10 +70,8 @@ void balance(const GridSettings& settings, GridScratch& s) {
             return;
         }
     }
-    double sum = reduce_cells(
-        box, 0.0, [&](std::int64_t c, int, int, int) { return s.projection.right()[at(c)]; }, sum_of);
-    double volume = reduce_cells(
-        box, 0.0, [&](std::int64_t c, int, int, int) { return s.room.capacity[at(c)]; }, sum_of);
+    double sum = sum_cells(box, [&](std::int64_t c, int, int, int) { return s.projection.right()[at(c)]; });
+    double volume = sum_cells(box, [&](std::int64_t c, int, int, int) { return s.room.capacity[at(c)]; });
     for (const Pocket& pocket : s.pockets) {
         for (const std::int64_t c : pocket.cells) {
             sum -= s.projection.right()[at(c)];

@@ -128,30 +128,25 @@ Vec3 moment_of_water(const GridSettings& settings, const GridState& state, std::
 
 Energy read_energy(const GridSettings& settings, const GridState& state, const GridScratch& scratch) {
     const CellBox& box = settings.mesh.box;
-    return reduce_cells(
-        box, Energy{},
-        [&](std::int64_t c, int i, int j, int k) {
-            const double mass = scratch.room.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
-            double square = 0;  // by open areas: a jet out of a narrow gap is not the whole cell beyond
-            for (int a = 0; a < box.axes; ++a) {
-                const auto& u = state.velocity[at(a)];
-                const auto& area = scratch.room.area[at(a)];
-                const std::int64_t high = c + box.stride[at(a)];
-                const double both = area[at(c)] + area[at(high)];
-                const double share = both > 0 ? area[at(c)] / both : 0.5;
-                square += share * std::pow(u[at(c)], 2) + (1 - share) * std::pow(u[at(high)], 2);
-            }
-            const double porosity = scratch.medium.has_stones ? scratch.medium.porosity[at(c)] : 1;
-            double potential = -mass * dot(settings.gravity, settings.mesh.centre(i, j, k));
-            if (settings.has_surface && is_mixed(state.fraction[at(c)])) {  // water lies on one side of the cell
-                potential -= (settings.water.density - settings.air.density) * scratch.room.capacity[at(c)] *
-                             dot(settings.gravity, moment_of_water(settings, state, c, {i, j, k}));
-            }
-            return Energy{0.5 * mass * square / (porosity * porosity), potential};
-        },
-        [](Energy a, const Energy& b) {
-            return Energy{a.kinetic + b.kinetic, a.potential + b.potential};
-        });
+    return sum_cells(box, [&](std::int64_t c, int i, int j, int k) {
+        const double mass = scratch.room.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
+        double square = 0;  // by open areas: a jet out of a narrow gap is not the whole cell beyond
+        for (int a = 0; a < box.axes; ++a) {
+            const auto& u = state.velocity[at(a)];
+            const auto& area = scratch.room.area[at(a)];
+            const std::int64_t high = c + box.stride[at(a)];
+            const double both = area[at(c)] + area[at(high)];
+            const double share = both > 0 ? area[at(c)] / both : 0.5;
+            square += share * std::pow(u[at(c)], 2) + (1 - share) * std::pow(u[at(high)], 2);
+        }
+        const double porosity = scratch.medium.has_stones ? scratch.medium.porosity[at(c)] : 1;
+        Vec3 moment = mass * settings.mesh.centre(i, j, k);
+        if (settings.has_surface && is_mixed(state.fraction[at(c)])) {  // water lies on one side of the cell
+            moment += (settings.water.density - settings.air.density) * scratch.room.capacity[at(c)] *
+                      moment_of_water(settings, state, c, {i, j, k});
+        }
+        return Energy{0.5 * mass * square / (porosity * porosity), moment};
+    });
 }
 
 }  // namespace riprap::fluid::grid

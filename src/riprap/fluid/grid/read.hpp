@@ -21,9 +21,16 @@ double read_level(const GridSettings& settings, const GridState& state, const Ve
 /// Farthest place along an axis that the fraction 1/2 reaches in the row of cells through a place [m].
 double read_front(const GridSettings& settings, const GridState& state, const Vec3& place, int axis);
 
-/// Kinetic energy of water and air [J] and potential energy of their weight above the origin [J].
+/// Kinetic energy of water and air [J] and the first moment of their mass, sum m x [kg m].
 struct Energy {
-    double kinetic{0}, potential{0};
+    double kinetic{0};
+    Vec3 mass_moment{};
+
+    template <class By>
+    static void join(Energy& a, const Energy& b, const By& by) {
+        by.add(a.kinetic, b.kinetic);
+        by.add(a.mass_moment, b.mass_moment);
+    }
 };
 Energy read_energy(const GridSettings& settings, const GridState& state, const GridScratch& scratch);
 

@@ -103,6 +103,7 @@ struct GridSettings {
     Vec3 gravity{0, -9.81, 0};  ///< [m/s^2]
     /// Acceleration of the frame added to gravity: of a tank that moves by a(t), -a(t) [m/s^2].
     std::function<Vec3(double time)> frame_acceleration{};
+    double full_gravity{0};            ///< largest size of both together, where the second is given [m/s^2]
     double surface_tension{0};         ///< sigma [N/m]
     std::array<Side, 6> side{};        ///< low and high side of x, y, z
     std::vector<PorousZone> porous{};  ///< the last that holds a place counts

@@ -111,9 +111,9 @@ void reconstruct_surface(const Mesh& mesh, const std::vector<double>& fraction, 
 }
 
 double water_volume(const GridSettings& settings, const GridState& state, const GridScratch& scratch) {
-    return reduce_cells(
-        settings.mesh.box, 0.0,
-        [&](std::int64_t c, int, int, int) { return state.fraction[at(c)] * scratch.room.capacity[at(c)]; }, sum_of);
+    return sum_cells(settings.mesh.box, [&](std::int64_t c, int, int, int) {
+        return state.fraction[at(c)] * scratch.room.capacity[at(c)];
+    });
 }
 
 namespace {
@@ -154,8 +154,8 @@ void settle_beside_surface(const GridSettings& settings, GridState& state, GridS
         }
         settling[at(c)] = is_beside && outside.holds(c) ? (takes ? 1 - f[at(c)] : f[at(c)]) : 0;
     });
-    const double room = reduce_cells(
-        box, 0.0, [&](std::int64_t c, int, int, int) { return settling[at(c)] * s.room.capacity[at(c)]; }, sum_of);
+    const double room =
+        sum_cells(box, [&](std::int64_t c, int, int, int) { return settling[at(c)] * s.room.capacity[at(c)]; });
     if (room > 0) {
         const double share = std::clamp(missing / room, -1.0, 1.0);
         for_cells(box, [&](std::int64_t c, int, int, int) { f[at(c)] += share * settling[at(c)]; });
@@ -176,12 +176,9 @@ void settle_volume(const GridSettings& settings, GridState& state, GridScratch& 
     settle_pockets(settings, state, scratch, in_pockets);
     for (int pass = 0; pass < 2; ++pass) {  // the second takes what the first rounds off
         const double missing = state.water.held - water_volume(settings, state, scratch);
-        const double room = reduce_cells(
-            box, 0.0,
-            [&](std::int64_t c, int, int, int) {
-                return outside.holds(c) ? f[at(c)] * (1 - f[at(c)]) * scratch.room.capacity[at(c)] : 0;
-            },
-            sum_of);
+        const double room = sum_cells(box, [&](std::int64_t c, int, int, int) {
+            return outside.holds(c) ? f[at(c)] * (1 - f[at(c)]) * scratch.room.capacity[at(c)] : 0;
+        });
         if (!(room > 0)) {
             break;
         }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/fluid/particle/unsound_particles.hpp"
 
 namespace riprap::fluid {
@@ -27,24 +28,24 @@ const char* remedy_of(linear::SolveStatus status) {
 }
 
 struct Sums {
-    double kinetic{0}, potential{0}, viscous{0}, collisions{0}, pressure{0}, external{0};
+    double kinetic{0}, viscous{0}, collisions{0}, pressure{0}, external{0};
     double speed_squared{0}, acceleration_squared{0};
-    Vec3 momentum{}, extra{};
-};
+    Vec3 momentum{}, extra{}, mass_moment{};
 
-Sums operator+(Sums a, const Sums& b) {
-    a.kinetic += b.kinetic;
-    a.potential += b.potential;
-    a.viscous += b.viscous;
-    a.collisions += b.collisions;
-    a.pressure += b.pressure;
-    a.external += b.external;
-    a.speed_squared = std::max(a.speed_squared, b.speed_squared);
-    a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
-    a.momentum += b.momentum;
-    a.extra += b.extra;
-    return a;
-}
+    template <class By>
+    static void join(Sums& a, const Sums& b, const By& by) {
+        by.add(a.kinetic, b.kinetic);
+        by.add(a.viscous, b.viscous);
+        by.add(a.collisions, b.collisions);
+        by.add(a.pressure, b.pressure);
+        by.add(a.external, b.external);
+        by.largest(a.speed_squared, b.speed_squared);
+        by.largest(a.acceleration_squared, b.acceleration_squared);
+        by.add(a.momentum, b.momentum);
+        by.add(a.extra, b.extra);
+        by.add(a.mass_moment, b.mass_moment);
+    }
+};
 
 /// v_(n+1) = u** + dt (pressure + extra force)/m, and the report of all that belongs to particles. Work is that of
 /// each force along (v_n + v_(n+1))/2. Energies are the means of those before and after the step: between two kicks
@@ -54,7 +55,7 @@ Sums operator+(Sums a, const Sums& b) {
 Sums kick_particles(const MpsSettings& settings, ParticleState& state, const Vec3& gravity, double dt,
                     const MpsScratch& s, const SparseVectors& extra_force) {
     const double m = settings.particle_mass;
-    const Vec3 downward = without_periodic(gravity, settings.domain), along = gravity - downward;
+    const Vec3 along = gravity - without_periodic(gravity, settings.domain);
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 extra = extra_force[i];
@@ -65,7 +66,7 @@ Sums kick_particles(const MpsSettings& settings, ParticleState& state, const Vec
         const Vec3 after = state.velocity[i], middle = 0.5 * (start + after);
         Sums sums;
         sums.kinetic = 0.25 * m * (norm_squared(start) + norm_squared(after));
-        sums.potential = -m * dot(downward, state.position[i] + 0.25 * dt * (after - start));
+        sums.mass_moment = m * (state.position[i] + 0.25 * dt * (after - start));
         sums.viscous = dt * dot(s.prediction.viscous_force[i], middle);
         sums.collisions = m * dot(collided, middle);
         sums.pressure = dt * dot(s.water.pressure_force[i], middle);
@@ -77,12 +78,19 @@ Sums kick_particles(const MpsSettings& settings, ParticleState& state, const Vec
         sums.extra = extra;
         return sums;
     };
-    return parallel::reduce(state.size(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
+    return parallel::sum(state.blocks(), kick_one);
 }
 
 /// Work on walls by pressure, viscosity and collisions [W].
 struct WallPower {
     double pressure{0}, viscous{0}, collisions{0};
+
+    template <class By>
+    static void join(WallPower& a, const WallPower& b, const By& by) {
+        by.add(a.pressure, b.pressure);
+        by.add(a.viscous, b.viscous);
+        by.add(a.collisions, b.collisions);
+    }
 };
 
 WallPower power_on_walls(const BoundaryParticles& walls, const MpsScratch& s) {
@@ -92,16 +100,14 @@ WallPower power_on_walls(const BoundaryParticles& walls, const MpsScratch& s) {
         return WallPower{dot(walls.pressure_force[w] - s.walls.collision_force[w], v), dot(walls.viscous_force[w], v),
                          dot(s.walls.collision_force[w], v)};
     };
-    return parallel::reduce(walls.size(), WallPower{}, one, [](const WallPower& a, const WallPower& b) {
-        return WallPower{a.pressure + b.pressure, a.viscous + b.viscous, a.collisions + b.collisions};
-    });
+    return parallel::sum(walls.size(), one);
 }
 
 }  // namespace
 
 FluidTimeStep Mps::limit(const ParticleState& state) const {
     const double squared = parallel::reduce(
-        state.size(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
+        state.blocks(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
         [](double a, double b) { return std::max(a, b); });
     const double l = settings_.spacing, none = std::numeric_limits<double>::infinity();
     const double speed = std::max(settings_.expected_speed(), std::sqrt(squared));
@@ -160,7 +166,7 @@ void Mps::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3&
     const Sums sums = kick_particles(settings_, state, pull, dt, scratch_, extra_force);
     const WallPower walls_take = power_on_walls(walls, scratch_);
     report.kinetic = sums.kinetic;
-    report.potential = sums.potential;
+    book_potential(pull, sums.mass_moment, settings_.domain, report);
     report.dissipated_viscous = -sums.viscous - dt * walls_take.viscous;
     report.dissipated_collisions = -sums.collisions - dt * walls_take.collisions;
     report.pressure_loss = -sums.pressure - dt * walls_take.pressure;

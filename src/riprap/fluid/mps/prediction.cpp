@@ -56,6 +56,7 @@ void Mps::find_wall_fields(const ParticleState& state, const BoundaryParticles& 
     s.at_walls.cell_weight = settings_.rest_density / (settings_.particle_mass * lattice_.number_density);
     const double per_volume = 1 / std::pow(settings_.spacing, settings_.domain.dimension);
     const bool is_mirrored = settings_.wall_pressure == MpsWallPressure::mirrored;
+    const std::span<const Vec3> at_face = walls.at_face();
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const bool is_given = !walls.given_pressure.empty() && walls.given_pressure[w] >= 0;
@@ -64,9 +65,8 @@ void Mps::find_wall_fields(const ParticleState& state, const BoundaryParticles& 
         s.walls.mirrors[w] = is_mirrored ? s.walls.follows[w] : 0;
         s.walls.given[w] = is_given ? walls.given_pressure[w] : 0;
         s.walls.grip_share[w] = walls.is_slippery[w] != 0 ? 0 : s.walls.share[w];
-        s.walls.mirrored_velocity[w] = s.at_walls.weight[w] > 0
-                                           ? 2.0 * walls.velocity[w] - s.at_walls.velocity[w] / s.at_walls.weight[w]
-                                           : walls.velocity[w];
+        s.walls.mirrored_velocity[w] =
+            s.at_walls.weight[w] > 0 ? 2.0 * at_face[w] - s.at_walls.velocity[w] / s.at_walls.weight[w] : at_face[w];
     });
 }
 
@@ -87,7 +87,7 @@ void Mps::add_viscosity(const ParticleState& state, const BoundaryParticles& wal
 void Mps::predict(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt) {
     MpsScratch& s = scratch_;
     const auto count = state.position.size();
-    s.lists.place(reach_of(settings_), state.position, walls.position);
+    s.lists.place(reach_of(settings_), state.blocks(), state.position, walls.position);
     s.prediction.start_velocity = state.velocity;
     s.water.pressure.resize(count);
     parallel::for_each(state.size(), [&](std::int64_t entry) {

@@ -171,7 +171,7 @@ void Mps::set_up_pressure(const ParticleState& state, const BoundaryParticles& w
         const auto k = static_cast<std::size_t>(i);
         s.around.predicted_walls[k] = walls.position[k] + 0.5 * dt * walls.velocity[k];
     });
-    s.lists.place(reach_of(settings_), s.around.predicted, s.around.predicted_walls);
+    s.lists.place(reach_of(settings_), state.blocks(), s.around.predicted, s.around.predicted_walls);
     s.around.fluid.find(settings_, s.around.predicted, s.around.predicted, true);
     s.around.walls.find(settings_, s.around.predicted, s.around.predicted_walls, false);
     const Crowding crowding(settings_);

@@ -29,6 +29,9 @@ double hydrostatic(const Outflow& outflow, const ParticleSettings& settings, con
 void append(BoundaryParticles& walls, const Vec3& x, const Vec3& v, const Vec3& a, double volume, double pressure) {
     walls.position.push_back(x);
     walls.velocity.push_back(v);
+    if (!walls.foot_velocity.empty()) {
+        walls.foot_velocity.push_back(v);
+    }
     walls.acceleration.push_back(a);
     walls.volume.push_back(volume);
     walls.is_slippery.push_back(1);

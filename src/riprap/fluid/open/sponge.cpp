@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 
 namespace riprap::fluid {
 
@@ -60,7 +61,7 @@ double absorbed_energy(const ParticleState& state, double dt, const SpongeWork& 
         const auto i = static_cast<std::size_t>(entry);
         return -0.5 * dot(work.force[i], work.before[i] + state.velocity[i]);
     };
-    return dt * parallel::reduce(state.owned(), 0.0, one, [](double a, double b) { return a + b; });
+    return dt * parallel::sum(state.blocks(), one);
 }
 
 }  // namespace riprap::fluid

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "riprap/core/bytes.hpp"
@@ -18,6 +19,7 @@ constexpr double length_in_vertex = 2;
 struct BoundaryParticles {
     std::vector<Vec3> position;             ///< [m]
     std::vector<Vec3> velocity;             ///< of the solid there [m/s]
+    std::vector<Vec3> foot_velocity;        ///< of the solid at its foot on the face; empty: as `velocity` [m/s]
     std::vector<Vec3> acceleration;         ///< of the solid there [m/s^2]
     std::vector<double> volume;             ///< [m^3]; in 2D [m^2]
     std::vector<std::uint8_t> is_slippery;  ///< free slip: no viscous force
@@ -32,14 +34,17 @@ struct BoundaryParticles {
 
     std::vector<double> pressure;  ///< of the fluid there, found by the fluid [Pa]
 
-    /// Forces of the fluid on each particle, pair by pair the opposite of what the fluid felt [N].
+    /// Forces of the fluid on each particle, pair by pair the opposite of what the fluid felt [N]. That of pressure
+    /// acts at the particle, that of viscosity at its foot.
     std::vector<Vec3> pressure_force, viscous_force;
 
     std::size_t bytes() const {
-        return bytes_of(position, velocity, acceleration, volume, is_slippery, given_pressure, normal, outward_area,
-                        pressure, pressure_force, viscous_force);
+        return bytes_of(position, velocity, foot_velocity, acceleration, volume, is_slippery, given_pressure, normal,
+                        outward_area, pressure, pressure_force, viscous_force);
     }
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
+    /// Velocity that water which sticks has on the face before each of them.
+    std::span<const Vec3> at_face() const { return foot_velocity.empty() ? velocity : foot_velocity; }
 };
 
 /// The water about every boundary particle, whatever the solids do: for the water in joints between them.

@@ -44,6 +44,8 @@ struct Patch {
     /// 2048 particles: a cube of 13 spacings, with about twice as many around it; their records fit into the cache of
     /// one core.
     static constexpr std::int64_t size = 32;  ///< blocks of targets
+    static_assert(size * ClusterPlaces::block_size * cluster_size == parallel::reduce_block,
+                  "a patch is a block of the order of particles");
 
     std::vector<std::int32_t> blocks;                ///< of candidates with clusters that lists name, ascending
     std::vector<NamedClusters> clusters;             ///< of each of them, those that lists name
@@ -80,6 +82,8 @@ class ClusterList {
     const FixedPoint& fixed() const { return targets().fixed(); }
 
     const std::vector<Patch>& patches() const { return patches_; }
+    /// Numbers of patches in the order of all targets.
+    const PatchOrder& order() const { return targets_->order(); }
     /// The first cluster of targets of a patch, or behind the last one.
     std::int64_t first_cluster(std::int64_t patch) const {
         return std::min(targets().cluster_count(), patch * Patch::size * BoxTree::branches);

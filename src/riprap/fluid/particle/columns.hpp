@@ -30,6 +30,7 @@ struct WallColumns {
     std::int64_t count{0};
     const Vec3* position{nullptr};
     const Vec3* velocity{nullptr};
+    const Vec3* foot_velocity{nullptr};
     const Vec3* acceleration{nullptr};
     const double* volume{nullptr};
     const std::uint8_t* is_slippery{nullptr};
@@ -51,8 +52,7 @@ inline bool may_stick(const BoundaryParticles& walls) {
 }
 
 inline ParticleColumns columns_of(ParticleState& state) {
-    return {state.owned().size(), state.position.data(), state.velocity.data(), state.density.data(),
-            state.dilution.data()};
+    return {state.size(), state.position.data(), state.velocity.data(), state.density.data(), state.dilution.data()};
 }
 /// To be read only.
 inline ParticleColumns columns_of(const ParticleState& state) { return columns_of(const_cast<ParticleState&>(state)); }
@@ -62,6 +62,7 @@ inline WallColumns columns_of(const BoundaryParticles& walls) {
     return {.count = walls.size(),
             .position = walls.position.data(),
             .velocity = walls.velocity.data(),
+            .foot_velocity = walls.at_face().data(),
             .acceleration = walls.acceleration.data(),
             .volume = walls.volume.data(),
             .is_slippery = walls.is_slippery.data(),

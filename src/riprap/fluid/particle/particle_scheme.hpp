@@ -11,6 +11,7 @@
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
 #include "riprap/fluid/particle/sparse_vectors.hpp"
+#include "riprap/fluid/particle/volume_book.hpp"
 
 namespace riprap::fluid {
 
@@ -28,7 +29,7 @@ struct FluidTimeStep {
 /// Energies and losses of particles [J], measured at the kick. The sum
 ///
 ///     kinetic + potential + internal + sums over steps of (dissipated_viscous + dissipated_collisions
-///         + dissipated_diffusion + pressure_loss + shifted + work_on_solids + wall_exchange + earlier_heat
+///         + by_density.sum() + pressure_loss + shifted + work_on_solids + wall_exchange + earlier_heat
 ///         + earlier_collisions + earlier_exchange - work_external)
 ///
 /// stays the same (docs/theory/sph.md, 6), where kinetic is sum m v_n.v_(n+1)/2 and work_external that of extra forces
@@ -36,19 +37,28 @@ struct FluidTimeStep {
 struct FluidReport : FluidBalance {
     double dissipated_viscous{0};     ///< in this step, pair by pair never negative within the fluid
     double dissipated_collisions{0};  ///< in this step, by collisions of particles with each other and with walls
-    double dissipated_diffusion{0};   ///< in this step, by the diffusion of density and by tearing
+    DensityLosses by_density;         ///< in this step, by what changes density besides flow and shifting
     double pressure_loss{0};          ///< in this step, of a pressure that is solved for (docs/theory/mps.md)
     double shifted{0};                ///< potential energy and that of compression that shifting took away in this step
     double wall_exchange{0};          ///< in this step: work of mirrored wall pressure that no body sees
     double earlier_heat{0};           ///< what is due of dissipated_viscous before the kick, and not in it
     double earlier_collisions{0};     ///< the same of dissipated_collisions
     double earlier_exchange{0};       ///< the same of wall_exchange
+    VolumeBook volume;                ///< of this step, of schemes that carry density on
     double max_acceleration{0};
     double max_shift{0};              ///< farthest that shifting moved a particle in this step [m]
     std::int64_t worst_particle{-1};  ///< first id that is not finite, too fast or out of the domain
     std::string problem;              ///< why, with particle, place and time
     std::string remedy;               ///< what to change in the case, where that follows from the problem
 };
+
+/// Notes the potential energy -g.X of particles with the first moment X = sum m x [kg m], g the gravity that has a
+/// potential.
+inline void book_potential(const Vec3& gravity, const Vec3& mass_moment, const Domain& domain, FluidBalance& balance) {
+    balance.gravity = without_periodic(gravity, domain);
+    balance.mass_moment = mass_moment;
+    balance.potential = -dot(balance.gravity, mass_moment);
+}
 
 /// Step of the particles of one method, between walls that somebody else moves. The driver calls the verbs in
 /// this order in every step; what an object keeps between steps decides no bit.

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "riprap/core/blocks.hpp"
 #include "riprap/core/fields.hpp"
-#include "riprap/core/range.hpp"
 #include "riprap/fluid/particle/flow_clock.hpp"
 
 namespace riprap::fluid {
@@ -24,10 +24,11 @@ struct ParticleState {
     std::vector<std::int32_t> id;  ///< of the particle for life: 0 to size() - 1 at the start
     double max_acceleration{0};    ///< in the last step; limits the next [m/s^2]
     FlowClock flow;                ///< of a scheme with two clocks
+    parallel::BlockTable held;     ///< blocks that these arrays keep; no State, and empty where they keep all
 
     std::int64_t size() const { return static_cast<std::int64_t>(position.size()); }
-    /// Returns the particles whose motion this machine decides: all; others would follow as ghosts.
-    parallel::Range owned() const { return {0, size()}; }
+    /// Returns the particles by blocks of their order: what loops, sums and sweeps run over.
+    parallel::Blocks blocks() const { return {held, size()}; }
 
     void add(const Vec3& x, const Vec3& v, double rho, std::int32_t particle) {
         position.push_back(x);

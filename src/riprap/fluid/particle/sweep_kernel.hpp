@@ -83,11 +83,21 @@ void add_patch_sums(const SweepScratchData& scratch, std::int64_t first_patch, s
 /// Number of patches that are swept before their sums at candidates are added up: even shares of all, about a tenth of
 /// them, so that their buffers, some 0.4 MB each, are a small part of what the particles take; as many as keep eight
 /// threads at work, and no more than 32 do. It decides bits of sums that are kept as floats, so it depends on nothing
-/// but the patches.
+/// but the number of patches of all targets, and rounds go by the numbers of patches among them, whoever keeps some.
 inline std::int64_t patches_at_a_time(std::int64_t patches) {
     const std::int64_t most = std::clamp<std::int64_t>(patches / 10, 8, 32);
     const std::int64_t rounds = std::max<std::int64_t>(1, (patches + most - 1) / most);
     return (patches + rounds - 1) / rounds;
+}
+
+/// The first patch that is kept of a later round than patch `first`, out of `patches` that are kept.
+inline std::int64_t end_of_round(const PatchOrder& order, std::int64_t first, std::int64_t patches) {
+    const std::int64_t step = patches_at_a_time(order.whole(patches)), round = order[first] / step;
+    std::int64_t end = first + 1;
+    while (end < patches && order[end] / step == round) {
+        ++end;
+    }
+    return end;
 }
 
 /// Cuts the buffer of sums at candidates into those of patches from `first_patch` up to `end_patch`.
@@ -115,9 +125,8 @@ void sweep_in_rounds(const Pair& pair, const SweepReach& reach, const SweepSide<
     const auto far = static_cast<float>(16 * reach.support_radius * reach.support_radius);
     ClusterSweep<Dim, Pair, Way> sweep{pair, targets.fields, sums, scratch, is_each_once, far};
     const auto patches = static_cast<std::int64_t>(scratch.list.patches().size());
-    const std::int64_t step = patches_at_a_time(patches);
-    for (std::int64_t first = 0; first < patches; first += step) {
-        const std::int64_t end = std::min(patches, first + step);
+    for (std::int64_t first = 0, end = 0; first < patches; first = end) {
+        end = end_of_round(scratch.list.order(), first, patches);
         sweep.first_patch = first;
         if constexpr (Way::back_sums > 0) {
             make_room_for_patches(scratch, first, end, decltype(sweep)::Patches::back_record);

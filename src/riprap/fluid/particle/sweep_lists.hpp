@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "riprap/core/blocks.hpp"
 #include "riprap/fluid/particle/sweep.hpp"
 
 namespace riprap::fluid {
@@ -20,7 +21,9 @@ class SweepLists {
     SweepLists& operator=(SweepLists&&) noexcept;
 
     /// Tells the sweeps that follow where the particles are: to be called after every move of either set.
-    void place(const SweepReach& reach, std::span<const Vec3> fluid, std::span<const Vec3> walls);
+    /// @param blocks  those of the fluid
+    void place(const SweepReach& reach, const parallel::Blocks& blocks, std::span<const Vec3> fluid,
+               std::span<const Vec3> walls);
     std::size_t bytes() const;
 
  private:

@@ -39,7 +39,9 @@ SweepLists::~SweepLists() = default;
 SweepLists::SweepLists(SweepLists&&) noexcept = default;
 SweepLists& SweepLists::operator=(SweepLists&&) noexcept = default;
 
-void SweepLists::place(const SweepReach& reach, std::span<const Vec3> fluid, std::span<const Vec3> walls) {
+void SweepLists::place(const SweepReach& reach, const parallel::Blocks& blocks, std::span<const Vec3> fluid,
+                       std::span<const Vec3> walls) {
+    fluid_->order().take(blocks);
     const Box box = box_of(fluid, walls);
     const FixedPoint fixed(reach, max(box.high - box.low, Vec3{}));
     fluid_->place(fluid, fixed, reach.domain.dimension);

@@ -21,7 +21,7 @@ std::int64_t first_unsound(const ParticleState& state, const IsSound& is_sound) 
         return is_sound(static_cast<std::size_t>(i)) ? entry_none
                                                      : static_cast<std::int64_t>(state.id[static_cast<std::size_t>(i)]);
     };
-    const std::int64_t first = parallel::reduce(state.owned(), entry_none, look,
+    const std::int64_t first = parallel::reduce(state.blocks(), entry_none, look,
                                                 [](std::int64_t a, std::int64_t b) { return std::min(a, b); });
     return first == none ? -1 : first;
 }

@@ -38,7 +38,8 @@ class DeltaSph : public SphForces<WendlandC2, Site> {
     DensitySums sum_continuity(const ParticleColumns& fluid, const WallColumns& walls, const Vec3& gravity);
     /// Finds the fields that the sums of forces read, from densities and the sums of Continuity.
     void prepare_forces(const ParticleColumns& fluid);
-    void shift(const ParticleColumns& fluid, const Vec3& gravity, double dt, FluidReport& report);
+    void shift(const parallel::Blocks& blocks, const ParticleColumns& fluid, const Vec3& gravity, double dt,
+               FluidReport& report);
 
     // The transposed half of the viscous stress, of viscosities that have it (transposed_forces.hpp).
 
@@ -104,9 +105,10 @@ void DeltaSph<Site>::update_density(ParticleState& state, const BoundaryParticle
                                      sums,
                                      corrections_,
                                      water_.bareness.columns()};
-    const Losses losses = Where::reduce(fluid.count, Losses{}, advance_one, AddLosses{});
-    report.dissipated_diffusion = losses.diffusion;
-    report.shifted = losses.shifting;
+    const DensityUpdate update = Where::sum(state.blocks(), advance_one);
+    report.by_density = update.losses;
+    report.shifted = update.shifting;
+    report.volume = update.volume;
     site_.give_density(state);
 }
 
@@ -172,12 +174,13 @@ void DeltaSph<Site>::kick(ParticleState& state, const BoundaryParticles& walls, 
     if (has_stress()) {
         add_stress_from_walls(fluid, solid);
     }
-    shift(fluid, pull, span.dt, report);
+    shift(state.blocks(), fluid, pull, span.dt, report);
     this->finish_kick(state, walls, pull, span, extra_force, report);
 }
 
 template <class Site>
-void DeltaSph<Site>::shift(const ParticleColumns& fluid, const Vec3& gravity, double dt, FluidReport& report) {
+void DeltaSph<Site>::shift(const parallel::Blocks& blocks, const ParticleColumns& fluid, const Vec3& gravity, double dt,
+                           FluidReport& report) {
     if (settings_.shifting == 0) {
         return;
     }
@@ -194,7 +197,7 @@ void DeltaSph<Site>::shift(const ParticleColumns& fluid, const Vec3& gravity, do
                                   water_.bareness.columns(),
                                   corrections_.share,
                                   forces_.to_surface};
-    const Shifted shifted = Where::reduce(fluid.count, Shifted{}, shift_one, AddShifted{});
+    const Shifted shifted = Where::sum(blocks, shift_one);
     report.shifted += shifted.potential;
     report.max_shift = std::sqrt(shifted.longest_squared);
 }

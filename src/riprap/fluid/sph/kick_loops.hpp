@@ -12,23 +12,22 @@ namespace riprap::fluid {
 
 /// Sums of a kick over the particles.
 struct KickSums {
-    double kinetic{0}, potential{0}, heat{0}, exchange{0}, earlier_exchange{0}, external{0};
+    double kinetic{0}, heat{0}, exchange{0}, earlier_exchange{0}, external{0};
     double speed_squared{0}, acceleration_squared{0};
-    Vec3 momentum{}, extra{};
-};
-struct AddKickSums {
-    RIPRAP_HD KickSums operator()(KickSums a, const KickSums& b) const {
-        a.kinetic += b.kinetic;
-        a.potential += b.potential;
-        a.heat += b.heat;
-        a.exchange += b.exchange;
-        a.earlier_exchange += b.earlier_exchange;
-        a.external += b.external;
-        a.speed_squared = std::max(a.speed_squared, b.speed_squared);
-        a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
-        a.momentum += b.momentum;
-        a.extra += b.extra;
-        return a;
+    Vec3 momentum{}, extra{}, mass_moment{};
+
+    template <class By>
+    RIPRAP_HD static void join(KickSums& a, const KickSums& b, const By& by) {
+        by.add(a.kinetic, b.kinetic);
+        by.add(a.heat, b.heat);
+        by.add(a.exchange, b.exchange);
+        by.add(a.earlier_exchange, b.earlier_exchange);
+        by.add(a.external, b.external);
+        by.largest(a.speed_squared, b.speed_squared);
+        by.largest(a.acceleration_squared, b.acceleration_squared);
+        by.add(a.momentum, b.momentum);
+        by.add(a.extra, b.extra);
+        by.add(a.mass_moment, b.mass_moment);
     }
 };
 
@@ -36,7 +35,7 @@ struct AddKickSums {
 template <class Extra>
 struct KickParticle {
     double particle_mass, dt;
-    Vec3 gravity, downward;  ///< all of it, and the part that has a potential
+    Vec3 gravity, along;  ///< all of it, and the part along periodic axes, which has no potential
     ParticleColumns water;
     NumbersView<1> volume;
     ForceSums sum;
@@ -45,13 +44,13 @@ struct KickParticle {
     RIPRAP_HD KickSums operator()(std::int64_t entry) const {
         const auto i = static_cast<std::size_t>(entry);
         const double m = particle_mass, v = volume[i];
-        const Vec3 extra = extra_force[i], along = gravity - downward;
+        const Vec3 extra = extra_force[i];
         const Vec3 acceleration = (v * sum.force.vector(i) + extra) / m + gravity;
         const Vec3 before = water.velocity[i], after = before + dt * acceleration;
         water.velocity[i] = after;
         KickSums sums;
         sums.kinetic = 0.5 * m * dot(before, after);
-        sums.potential = -m * dot(downward, water.position[i]);
+        sums.mass_moment = m * water.position[i];
         sums.heat = v * (0.5 * sum.heat[i] + sum.wall_heat[i]);
         // half of it along the velocity before the kick, half along that after it
         const Vec3 hold = v * sum.wall_hold.vector(i);

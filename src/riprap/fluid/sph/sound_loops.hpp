@@ -97,7 +97,7 @@ struct AdvanceOnGeometry {
     NumbersView<symmetric_numbers> correction;
     Surroundings around;
 
-    RIPRAP_HD Losses operator()(std::int64_t entry) const {
+    RIPRAP_HD DensityUpdate operator()(std::int64_t entry) const {
         const auto i = static_cast<std::size_t>(entry);
         const double before = density[i];
         const double diluted = dilution != nullptr ? density_after_shift(before, dilution[i], rest_density) : before;
@@ -110,12 +110,24 @@ struct AdvanceOnGeometry {
         }
         const double spread = share * diffusivity * diffusion[i];
         const double flown = diluted + share * rate + spread;
-        const double torn = density_by_tearing(around.bareness[i], around.leaves_wall[i] != 0, flown, rest_density) +
-                            density_by_escape(around.caught[i], flown, rest_density, gone);
-        const double after = flown + torn, mean = 0.5 * (before + after);
+        const bool leaves_wall = around.leaves_wall[i] != 0;
+        const double torn = density_by_tearing(around.bareness[i], leaves_wall, flown, rest_density);
+        const double escaped = density_by_escape(around.caught[i], flown, rest_density, gone);
+        const double after = flown + (torn + escaped), mean = 0.5 * (before + after);
         density[i] = after;
         const double per_density = particle_mass * pressure_at(mean) / (mean * mean);
-        return {-per_density * (spread + torn), per_density * (before - diluted)};
+        DensityUpdate update{{-per_density * spread, -per_density * torn, -per_density * escaped, 0},
+                             per_density * (before - diluted),
+                             {}};
+        VolumeBook& volume = update.volume;
+        const double per_gain = -particle_mass / (before * after);
+        (leaves_wall ? volume.walls : volume.tearing) = per_gain * torn;
+        volume.escape = per_gain * escaped;
+        volume.shifting = per_gain * (diluted - before);
+        volume.refused = dilution != nullptr ? per_gain * (before * (1 - dilution[i]) - diluted) : 0;
+        volume.diffusion = -particle_mass / (diluted * diluted) * spread;  // pairs take what they give to round-off
+        volume.flow = per_gain * (after - before) - volume.sum();
+        return update;
     }
 };
 
@@ -139,7 +151,7 @@ struct DampSound {
 /// at the mean of both velocities.
 struct KickOnGeometry {
     double particle_mass, dt;
-    Vec3 gravity, downward;  ///< all of it, and the part that has a potential
+    Vec3 gravity, along;  ///< all of it, and the part along periodic axes, which has no potential
     ParticleColumns water;
     NumbersView<symmetric_numbers> correction;
     Surroundings around;
@@ -150,7 +162,7 @@ struct KickOnGeometry {
     RIPRAP_HD KickSums operator()(std::int64_t entry) const {
         const auto i = static_cast<std::size_t>(entry);
         const double m = particle_mass, v = around.volume[i];
-        const Vec3 extra = extra_force[i], along = gravity - downward, slow = around.slow_force.vector(i);
+        const Vec3 extra = extra_force[i], slow = around.slow_force.vector(i);
         const Vec3 slope = around.wall_slope.vector(i);
         Vec3 push = v * force.vector(i), hold{};
         if (slope != Vec3{}) {  // else there are no walls in reach
@@ -163,7 +175,7 @@ struct KickOnGeometry {
         water.velocity[i] = after;
         KickSums sums;
         sums.kinetic = 0.5 * m * dot(before, after);
-        sums.potential = -m * dot(downward, water.position[i]);
+        sums.mass_moment = m * water.position[i];
         sums.heat = v * heat[i] - 0.5 * dot(slow, before + after);
         sums.exchange = dot(hold, after);
         sums.earlier_exchange = 0.5 * dot(hold, before - after);

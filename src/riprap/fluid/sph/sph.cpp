@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
@@ -19,7 +20,7 @@ FluidTimeStep Sph::limit(const ParticleState& state) const {
         return Fastest{norm_squared(state.velocity[i]), state.density[i]};
     };
     const Fastest fastest = parallel::reduce(
-        state.owned(), Fastest{0, settings_.rest_density}, one, [](const Fastest& a, const Fastest& b) {
+        state.blocks(), Fastest{0, settings_.rest_density}, one, [](const Fastest& a, const Fastest& b) {
             return Fastest{std::max(a.speed_squared, b.speed_squared), std::max(a.density, b.density)};
         });
     const double h = settings_.smoothing_length(), none = std::numeric_limits<double>::infinity();
@@ -39,7 +40,7 @@ FluidTimeStep Sph::limit(const ParticleState& state) const {
 void Sph::book_kick(std::int64_t count, const Vec3& gravity, double dt, const KickSums& sums,
                     FluidReport& report) const {
     report.kinetic = sums.kinetic;
-    report.potential = sums.potential;
+    book_potential(gravity, sums.mass_moment, settings_.domain, report);
     report.dissipated_viscous = dt * sums.heat;
     report.wall_exchange = dt * sums.exchange;
     report.earlier_exchange = dt * sums.earlier_exchange;
@@ -55,7 +56,7 @@ void Sph::book_compression(const ParticleState& state, FluidReport& report) cons
     const auto energy_of = [&](std::int64_t i) {
         return settings_.particle_mass * internal_energy_of(settings_, state.density[static_cast<std::size_t>(i)]);
     };
-    report.internal = parallel::reduce(state.owned(), 0.0, energy_of, [](double a, double b) { return a + b; });
+    report.internal = parallel::sum(state.blocks(), energy_of);
 }
 
 }  // namespace riprap::fluid

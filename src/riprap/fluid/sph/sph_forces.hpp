@@ -101,8 +101,9 @@ class SphForces : public Sph {
     /// Extrapolates the pressure of the fluid to wall particles and mirrors its velocity in them, from averages over
     /// fluid j [Adami2012, eqs. 22, 23, 27]:
     ///
-    ///     p_w = max(0, sum (p_j + rho_j (g - a_w).(x_w - x_j)) W / sum W),     u_w = 2 v_w - sum v_j W / sum W,
+    ///     p_w = max(0, sum (p_j + rho_j (g - a_w).(x_w - x_j)) W / sum W),     u_w = 2 v_f - sum v_j W / sum W,
     ///
+    /// v_f the velocity of the solid at the foot of w on its face,
     /// and finds the forces of the fluid on walls [N]: of pressure, and of viscosity where some are not slippery.
     /// Differs from the source: walls never pull.
     void load(const ParticleColumns& fluid, const WallColumns& walls, const Vec3& gravity) {
@@ -127,10 +128,9 @@ class SphForces : public Sph {
         using Extra = std::remove_const_t<decltype(extra)>;
         const ParticleColumns fluid = site_.water(state);
         const KickParticle<Extra> kick_one{
-            settings_.particle_mass, span.dt, gravity, without_periodic(gravity, settings_.domain), fluid,
+            settings_.particle_mass, span.dt, gravity, gravity - without_periodic(gravity, settings_.domain), fluid,
             water_.volume.columns(), forces_, extra};
-        book_kick(fluid.count, gravity, span.dt, Where::reduce(fluid.count, KickSums{}, kick_one, AddKickSums{}),
-                  report);
+        book_kick(fluid.count, gravity, span.dt, Where::sum(state.blocks(), kick_one), report);
         site_.give_motion(state);
         book_compression(state, report);
         state.max_acceleration = report.max_acceleration;

@@ -19,8 +19,16 @@ constexpr double way_forgiven = 1.2;
 
 double fastest_of(const ParticleState& state) {
     return std::sqrt(parallel::reduce(
-        state.owned(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
+        state.blocks(), 0.0, [&](std::int64_t i) { return norm_squared(state.velocity[static_cast<std::size_t>(i)]); },
         [](double a, double b) { return std::max(a, b); }));
+}
+
+/// Adds what an update of density changed.
+void book(const DensityUpdate& update, FluidReport& report) {
+    const parallel::JoinBy<parallel::AddRounded> by{};
+    by.add(report.by_density, update.losses);
+    by.add(report.shifted, update.shifting);
+    by.add(report.volume, update.volume);
 }
 
 /// The volumes of walls times what they press with, for sums.
@@ -72,7 +80,7 @@ void TwoClocks::begin_flow_step(ParticleState& state, std::int64_t steps, double
     flow.velocity = state.velocity;
     flow.density = state.density;
     flow.place.resize(state.position.size());
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         flow.place[i] = state.position[i] + 0.5 * flow.span * state.velocity[i];
     });
@@ -106,7 +114,7 @@ ParticleColumns TwoClocks::in_geometry(const ParticleState& state) const {
 }
 
 void TwoClocks::place(const ParticleState& state, const BoundaryParticles& walls) {
-    site_.lists().place(reach_of(settings_), state.flow.place, walls.position);
+    site_.lists().place(reach_of(settings_), state.blocks(), state.flow.place, walls.position);
 }
 
 void TwoClocks::find_geometry(const ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
@@ -127,7 +135,7 @@ void TwoClocks::find_geometry(const ParticleState& state, const BoundaryParticle
     add_pair_sums(settings_, WallSlope{kernel_}, side(start.positions()), side(walls.position, walls.volume),
                   fresh(sinks(wall_slope_)), site_.lists().fluid_walls);
     if (dt > 0) {
-        carry_density(in_geometry(state), sums.diffusion, dt, true, report);
+        carry_density(state, sums.diffusion, dt, true, report);
     }
     find_slow_forces(start, walls, gravity);
     known_ = state.flow.stamp;
@@ -167,10 +175,9 @@ void TwoClocks::update_density(ParticleState& state, const BoundaryParticles& wa
                                FluidReport& report) {
     if (!state.flow.is_under_way()) {
         known_ = 0;
-        const double diffusion = report.dissipated_diffusion, shifted = report.shifted;
+        const DensityUpdate closing{report.by_density, report.shifted, report.volume};
         Base::update_density(state, walls, gravity, dt, report);
-        report.dissipated_diffusion += diffusion;
-        report.shifted += shifted;
+        book(closing, report);
         return;
     }
     const Vec3 pull = in_plane(gravity, settings_.domain);
@@ -195,11 +202,12 @@ void TwoClocks::advance(ParticleState& state, const BoundaryParticles& walls, co
         settings_, SoundContinuity{kernel_, {weight.x, weight.y, weight.z}},
         side(fluid.positions(), fluid.velocities(), water_.pressure, water_.volume, corrections_.tensor),
         fresh(sinks(diffusion, rate_)), site_.lists().fluid_fluid);
-    carry_density(fluid, diffusion, dt, false, report);
+    carry_density(state, diffusion, dt, false, report);
 }
 
-void TwoClocks::carry_density(const ParticleColumns& fluid, NumbersView<1> diffusion, double dt, bool is_first,
+void TwoClocks::carry_density(const ParticleState& state, NumbersView<1> diffusion, double dt, bool is_first,
                               FluidReport& report) {
+    const ParticleColumns fluid = in_geometry(state);
     const double diffusivity = 2 * settings_.density_diffusion * settings_.smoothing_length() /
                                (settings_.sound_speed * settings_.rest_density);
     const AdvanceOnGeometry advance_one{dt,
@@ -215,9 +223,7 @@ void TwoClocks::carry_density(const ParticleColumns& fluid, NumbersView<1> diffu
                                         is_first,
                                         corrections_.tensor,
                                         around()};
-    const Losses losses = Where::reduce(fluid.count, Losses{}, advance_one, AddLosses{});
-    report.dissipated_diffusion += losses.diffusion;
-    report.shifted += losses.shifting;
+    book(Where::sum(state.blocks(), advance_one), report);
 }
 
 void TwoClocks::begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
@@ -285,7 +291,7 @@ void TwoClocks::finish_kick_in_flow(ParticleState& state, const BoundaryParticle
     const KickOnGeometry kick_one{settings_.particle_mass,
                                   span.dt,
                                   gravity,
-                                  without_periodic(gravity, settings_.domain),
+                                  gravity - without_periodic(gravity, settings_.domain),
                                   fluid,
                                   corrections_.tensor,
                                   around(),
@@ -294,16 +300,17 @@ void TwoClocks::finish_kick_in_flow(ParticleState& state, const BoundaryParticle
                                   forces_.force,
                                   forces_.wall_hold,
                                   site_.extra(extra_force, state.position.size())};
-    book_kick(fluid.count, gravity, span.dt, Where::reduce(fluid.count, KickSums{}, kick_one, AddKickSums{}), report);
+    book_kick(fluid.count, gravity, span.dt, Where::sum(state.blocks(), kick_one), report);
     book_compression(state, report);
     state.max_acceleration = report.max_acceleration;
     book_walls(walls, span.dt, report);
     find_wild_particle(settings_, state, span.time, report);
 }
 
-void TwoClocks::find_concentration(const BoundaryParticles& walls, const std::vector<Vec3>& places) {
+void TwoClocks::find_concentration(const parallel::Blocks& blocks, const BoundaryParticles& walls,
+                                   const std::vector<Vec3>& places) {
     const std::span<const Vec3> at(places);
-    site_.lists().place(reach_of(settings_), places, walls.position);
+    site_.lists().place(reach_of(settings_), blocks, places, walls.position);
     add_pair_sums_within(settings_, Concentration{kernel_}, side(at, water_.volume),
                          fresh(sinks(water_.concentration_gradient)), site_.lists().fluid_fluid);
     add_pair_sums(settings_, WallSlope{kernel_}, side(at), side(std::span<const Vec3>(walls.position), walls.volume),
@@ -325,7 +332,7 @@ void TwoClocks::shift_flow(ParticleState& state, const BoundaryParticles& walls,
     shifted_ = state.flow.place;
     for (int part = 0; part < parts; ++part) {
         if (part > 0) {
-            find_concentration(walls, shifted_);
+            find_concentration(state.blocks(), walls, shifted_);
         }
         const ShiftPart shift_one{{settings_.domain.dimension, settings_.shifting, settings_.smoothing_length(), time,
                                    settings_.particle_mass, without_periodic(gravity, settings_.domain), fluid.position,
@@ -334,7 +341,7 @@ void TwoClocks::shift_flow(ParticleState& state, const BoundaryParticles& walls,
                                   time / dt,
                                   part == 0,
                                   shifted_.data()};
-        const Shifted shifted = Where::reduce(fluid.count, Shifted{}, shift_one, AddShifted{});
+        const Shifted shifted = Where::sum(state.blocks(), shift_one);
         report.shifted += shifted.potential;
         report.max_shift += std::sqrt(shifted.longest_squared);
     }

@@ -45,7 +45,7 @@ class TwoClocks : public DeltaSph<WaterInPlace> {
     void advance(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
                  FluidReport& report);
     /// Carries it by the rates and the diffusion that were summed.
-    void carry_density(const ParticleColumns& fluid, NumbersView<1> diffusion, double dt, bool is_first,
+    void carry_density(const ParticleState& state, NumbersView<1> diffusion, double dt, bool is_first,
                        FluidReport& report);
     /// The sound steps that a flow step from this State may have.
     std::int64_t sound_steps(const ParticleState& state, double dt) const;
@@ -59,7 +59,8 @@ class TwoClocks : public DeltaSph<WaterInPlace> {
     void find_slow_forces(const ParticleColumns& start, const BoundaryParticles& walls, const Vec3& gravity);
     void shift_flow(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
                     FluidReport& report);
-    void find_concentration(const BoundaryParticles& walls, const std::vector<Vec3>& places);
+    void find_concentration(const parallel::Blocks& blocks, const BoundaryParticles& walls,
+                            const std::vector<Vec3>& places);
     void finish_kick_in_flow(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
                              const TimeSpan& span, const SparseVectors& extra_force, FluidReport& report);
     Surroundings around() const;

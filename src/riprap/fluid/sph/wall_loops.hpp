@@ -11,7 +11,7 @@
 
 namespace riprap::fluid {
 
-/// Mirrors the velocity of the water in a wall, see SphForces::load.
+/// Mirrors the velocity of the water in the face of a wall, see SphForces::load.
 struct MirrorVelocity {
     WallColumns walls;
     NumbersView<1> weight;
@@ -22,7 +22,7 @@ struct MirrorVelocity {
     RIPRAP_HD void operator()(std::int64_t entry) const {
         const auto w = static_cast<std::size_t>(entry);
         const double sum = weight[w];
-        const Vec3& v = walls.velocity[w];
+        const Vec3& v = walls.foot_velocity[w];
         mirrored_velocity.set_vector(w, sum > 0 ? 2.0 * v - velocity.vector(w) / sum : v);
         grip.set(w, walls.is_slippery[w] != 0 ? 0 : 1);
     }

@@ -17,11 +17,11 @@ class WaterInPlace {
 
     /// Takes all that the update of density reads.
     void take(const SweepReach& reach, const ParticleState& state, const BoundaryParticles& walls) {
-        lists_.place(reach, state.position, walls.position);
+        lists_.place(reach, state.blocks(), state.position, walls.position);
     }
     /// Takes places again, and all of walls but accelerations.
     void take_for_forces(const SweepReach& reach, const ParticleState& state, const BoundaryParticles& walls) {
-        lists_.place(reach, state.position, walls.position);
+        lists_.place(reach, state.blocks(), state.position, walls.position);
     }
     /// Takes how walls move and accelerate.
     void take_motion(const BoundaryParticles& /*walls*/) {}

@@ -8,6 +8,7 @@
 #include "riprap/fluid/particle/columns.hpp"
 #include "riprap/fluid/particle/linear_law.hpp"
 #include "riprap/fluid/particle/numbers.hpp"
+#include "riprap/fluid/particle/volume_book.hpp"
 #include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"
 #include "riprap/fluid/sph/shifting.hpp"
@@ -52,13 +53,17 @@ struct LookAround {
     }
 };
 
-/// Energy that leaves the compression as density is updated, by diffusion and tearing and by shifting [J].
-struct Losses {
-    double diffusion{0}, shifting{0};
-};
-struct AddLosses {
-    RIPRAP_HD Losses operator()(const Losses& a, const Losses& b) const {
-        return {a.diffusion + b.diffusion, a.shifting + b.shifting};
+/// What leaves the compression as density is updated, and what becomes of the volume.
+struct DensityUpdate {
+    DensityLosses losses;  ///< [J]
+    double shifting{0};    ///< the same by shifting [J]
+    VolumeBook volume;     ///< [m^3]
+
+    template <class By>
+    RIPRAP_HD static void join(DensityUpdate& a, const DensityUpdate& b, const By& by) {
+        by.add(a.losses, b.losses);
+        by.add(a.shifting, b.shifting);
+        by.add(a.volume, b.volume);
     }
 };
 
@@ -75,7 +80,7 @@ struct AdvanceDensity {
     Corrections corrections;  ///< may have the places of the sums
     NumbersView<1> bareness;
 
-    RIPRAP_HD Losses operator()(std::int64_t entry) const {
+    RIPRAP_HD DensityUpdate operator()(std::int64_t entry) const {
         const auto i = static_cast<std::size_t>(entry);
         const Symmetric moments = sums.moments.all(i);
         const double divergence = trace(dimension, moments), alone = sums.moments_alone[i];
@@ -90,14 +95,25 @@ struct AdvanceDensity {
         const double rate = contract(dimension, corrections.tensor.all(i), sums.rates.all(i));
         corrections.compression_rate.set(i, rate);
         const double flown = diluted + dt * diluted * rate + spread;
-        const double torn = density_by_tearing(bare, leaves_wall, flown, rest_density) +
-                            density_by_escape(caught, flown, rest_density, gone);
-        const double after = flown + torn;
+        const double torn = density_by_tearing(bare, leaves_wall, flown, rest_density);
+        const double escaped = density_by_escape(caught, flown, rest_density, gone);
+        const double after = flown + (torn + escaped);
         const double mean = 0.5 * (before + after);
         density[i] = after;
         // what each takes out of compression, m p/rho^2 d rho, halfway between the densities that forces see
         const double per_density = particle_mass * pressure_at(mean) / (mean * mean);
-        return {-per_density * (spread + torn), per_density * (before - diluted)};
+        DensityUpdate update{{-per_density * spread, -per_density * torn, -per_density * escaped, 0},
+                             per_density * (before - diluted),
+                             {}};
+        VolumeBook& volume = update.volume;
+        const double per_gain = -particle_mass / (before * after);
+        (leaves_wall ? volume.walls : volume.tearing) = per_gain * torn;
+        volume.escape = per_gain * escaped;
+        volume.shifting = per_gain * (diluted - before);
+        volume.refused = per_gain * (before * (1 - dilution[i]) - diluted);
+        volume.diffusion = -particle_mass / (before * diluted) * spread;  // pairs take what they give to round-off
+        volume.flow = per_gain * (after - before) - volume.sum();
+        return update;
     }
 
  private:
@@ -141,10 +157,11 @@ struct PrepareForces {
 struct Shifted {
     double potential{0};        ///< energy of place that it took away [J]
     double longest_squared{0};  ///< [m^2]
-};
-struct AddShifted {
-    RIPRAP_HD Shifted operator()(const Shifted& a, const Shifted& b) const {
-        return {a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
+
+    template <class By>
+    RIPRAP_HD static void join(Shifted& a, const Shifted& b, const By& by) {
+        by.add(a.potential, b.potential);
+        by.largest(a.longest_squared, b.longest_squared);
     }
 };
 

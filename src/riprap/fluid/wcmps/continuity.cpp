@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
 #include "riprap/fluid/particle/zeros.hpp"
 #include "riprap/fluid/wcmps/continuity_pairs.hpp"
@@ -56,8 +57,18 @@ double damped_share(double standing) {
     return std::clamp((standing - damped_from) / (damped_whole - damped_from), 0.0, 1.0);
 }
 
-struct Losses {
-    double diffusion{0}, heat{0}, exchange{0};
+struct DensityUpdate {
+    DensityLosses losses;
+    double heat{0}, exchange{0};
+    VolumeBook volume;
+
+    template <class By>
+    static void join(DensityUpdate& a, const DensityUpdate& b, const By& by) {
+        by.add(a.losses, b.losses);
+        by.add(a.heat, b.heat);
+        by.add(a.exchange, b.exchange);
+        by.add(a.volume, b.volume);
+    }
 };
 
 }  // namespace
@@ -92,7 +103,7 @@ WcmpsDensitySums Wcmps::sum_continuity(const ParticleState& state, const Boundar
         side(state.position, state.velocity, water_.pressure, water_.concentration),
         fresh(sinks(continuity_.rate, s.diffusion, s.weight, continuity_.neighbours, s.outward, s.stir)),
         lists_.fluid_fluid);
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         s.standing.set(i, s.weight[i]);
     });
@@ -108,14 +119,14 @@ WcmpsDensitySums Wcmps::sum_continuity(const ParticleState& state, const Boundar
 
 double Wcmps::finish_shift(ParticleState& state, const Vec3& gravity) const {
     const Vec3 downward = without_periodic(gravity, settings_.domain);
-    const double taken = parallel::reduce(
-        static_cast<std::int64_t>(state.shift.size()), 0.0,
-        [&](std::int64_t entry) {
-            const auto i = static_cast<std::size_t>(entry);
-            state.position[i] += state.shift[i];
-            return settings_.particle_mass * dot(downward, state.shift[i]);
-        },
-        [](double a, double b) { return a + b; });
+    if (state.shift.empty()) {
+        return 0;
+    }
+    const double taken = parallel::sum(state.blocks(), [&](std::int64_t entry) {
+        const auto i = static_cast<std::size_t>(entry);
+        state.position[i] += state.shift[i];
+        return settings_.particle_mass * dot(downward, state.shift[i]);
+    });
     state.shift.clear();
     return taken;
 }
@@ -124,7 +135,7 @@ void Wcmps::find_pressure(const ParticleState& state) {
     for (std::vector<double>* values : {&water_.concentration, &water_.pressure, &water_.pressure_over_concentration}) {
         values->resize(state.density.size());
     }
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         water_.concentration[i] = state.density[i] / settings_.rest_density;
         water_.pressure[i] = pressure_of(settings_, water_.concentration[i]);
@@ -167,7 +178,7 @@ void Wcmps::find_wall_shares(const BoundaryParticles& walls) {
 void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
                            FluidReport& report) {
     const Vec3 pull = in_plane(gravity, settings_.domain);
-    lists_.place(reach_of(settings_), state.position, walls.position);
+    lists_.place(reach_of(settings_), state.blocks(), state.position, walls.position);
     find_pressure(state);
     find_wall_shares(walls);
     const WcmpsDensitySums s = sum_continuity(state, walls, pull);
@@ -211,15 +222,24 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
         // what leaves compression, m/rho_0 p/x dx, halfway between the values that forces see
         const double mean = 0.5 * (before + after);
         const double per_concentration = per_density * pressure_of(settings_, mean) / mean;
-        return Losses{-per_concentration * (spread + after - flown), heat,
-                      -per_concentration * dt * before * made.slip[i]};
+        DensityUpdate update{{-per_concentration * spread, -per_concentration * (after - bound), 0,
+                              -per_concentration * (bound - flown)},
+                             heat,
+                             -per_concentration * dt * before * made.slip[i],
+                             {}};
+        VolumeBook& volume = update.volume;
+        const double per_gain = -per_density / (before * after);
+        volume.diffusion = per_gain * spread;
+        volume.tearing = per_gain * (after - bound);
+        volume.returned = per_gain * (bound - flown);
+        volume.flow = per_gain * (after - before) - volume.sum();
+        return update;
     };
-    const Losses losses = parallel::reduce(state.owned(), Losses{}, advance_one, [](const Losses& a, const Losses& b) {
-        return Losses{a.diffusion + b.diffusion, a.heat + b.heat, a.exchange + b.exchange};
-    });
-    report.dissipated_diffusion = losses.diffusion;
-    report.earlier_heat = losses.heat;
-    report.earlier_exchange = losses.exchange;
+    const DensityUpdate update = parallel::sum(state.blocks(), advance_one);
+    report.by_density = update.losses;
+    report.earlier_heat = update.heat;
+    report.earlier_exchange = update.exchange;
+    report.volume = update.volume;
 }
 
 }  // namespace riprap::fluid

@@ -48,6 +48,7 @@ void Wcmps::extrapolate_to_walls(BoundaryParticles& walls, const Vec3& gravity) 
     walls_.mirrored_velocity.resize(count);
     walls_.grip.resize(count);
     walls.pressure.resize(count);
+    const std::span<const Vec3> at_face = walls.at_face();
     parallel::for_each(walls.size(), [&](std::int64_t entry) {
         const auto w = static_cast<std::size_t>(entry);
         const double weight = at_walls_.weight[w];
@@ -60,8 +61,7 @@ void Wcmps::extrapolate_to_walls(BoundaryParticles& walls, const Vec3& gravity) 
         walls_.held[w] = is_averaged ? head / weight : is_given ? walls.given_pressure[w] : 0;
         walls.pressure[w] = is_wet ? std::max(0.0, (at_walls_.pressure[w] + head) / weight) : 0;
         walls.pressure[w] = is_given ? walls.given_pressure[w] : walls.pressure[w];
-        walls_.mirrored_velocity[w] =
-            is_wet ? 2.0 * walls.velocity[w] - at_walls_.velocity[w] / weight : walls.velocity[w];
+        walls_.mirrored_velocity[w] = is_wet ? 2.0 * at_face[w] - at_walls_.velocity[w] / weight : at_face[w];
         walls_.grip[w] = walls.is_slippery[w] != 0 ? 0 : 1;
     });
 }
@@ -72,7 +72,7 @@ void Wcmps::begin_forces(ParticleState& state, const BoundaryParticles& walls, c
     if (!report.problem.empty()) {
         return;
     }
-    lists_.place(reach_of(settings_), state.position, walls.position);
+    lists_.place(reach_of(settings_), state.blocks(), state.position, walls.position);
     find_pressure(state);
     damp_sound();
     find_wall_shares(walls);

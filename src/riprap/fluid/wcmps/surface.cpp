@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/fluid/mps_operators/collision.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
 #include "riprap/fluid/particle/zeros.hpp"
@@ -45,6 +46,12 @@ Vec3 along_surface(SurfaceClass surface, const Vec3& normal, const Vec3& inner_n
 struct Shifting {
     double potential{0};        ///< [J]
     double longest_squared{0};  ///< [m^2]
+
+    template <class By>
+    static void join(Shifting& a, const Shifting& b, const By& by) {
+        by.add(a.potential, b.potential);
+        by.largest(a.longest_squared, b.longest_squared);
+    }
 };
 
 }  // namespace
@@ -54,7 +61,7 @@ void Wcmps::classify(const ParticleState& state) {
     surface_.classes.resize(count);
     surface_.is_surface.resize(count);
     surface_.normal.resize(count);
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         surface_.classes[i] =
             class_alone(lattice_, continuity_.crowding[i], continuity_.neighbours[i], forces_.in_front[i]);
@@ -66,7 +73,7 @@ void Wcmps::classify(const ParticleState& state) {
     add_pair_sums_within(settings_, wcmps::MpsSurface{weight_, square(2.1 * settings_.spacing)},
                          side(state.position, surface_.is_surface, surface_.normal),
                          sinks(surface_.adjacent, surface_.inner_normal), lists_.fluid_fluid);
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         if (surface_.classes[i] == SurfaceClass::internal && surface_.adjacent[i] > 0.5) {
             surface_.classes[i] = SurfaceClass::near;
@@ -79,7 +86,7 @@ bool Wcmps::find_collisions(const ParticleState& state) {
     const double l = settings_.spacing, contact = square(settings_.collision_distance * l);
     collisions_.share.resize(count);
     const double size = 0.5 * (1 + settings_.collision_ratio);
-    parallel::for_each(state.owned(), [&](std::int64_t entry) {
+    parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const bool may = surface_.classes[i] == SurfaceClass::surface || surface_.classes[i] == SurfaceClass::near;
         collisions_.share[i] = may ? size : 0;
@@ -88,8 +95,8 @@ bool Wcmps::find_collisions(const ParticleState& state) {
     add_pair_sums_within(settings_, wcmps::MpsApproach{contact},
                          side(state.position, state.velocity, collisions_.share), sinks(surface_.approaching),
                          lists_.fluid_fluid);
-    const double most = parallel::reduce(
-        state.owned(), 0.0,
+    const double most = parallel::reduce(  // of ghosts too, which may meet own particles
+        state.size(), 0.0,
         [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
             const double approaching = surface_.approaching[i];
@@ -126,10 +133,7 @@ void Wcmps::shift(ParticleState& state, const Vec3& gravity, double dt, FluidRep
         state.position[i] += state.shift[i];
         return Shifting{settings_.particle_mass * dot(gravity, state.shift[i]), norm_squared(move)};
     };
-    const Shifting all =
-        parallel::reduce(state.owned(), Shifting{}, shift_one, [](const Shifting& a, const Shifting& b) {
-            return Shifting{a.potential + b.potential, std::max(a.longest_squared, b.longest_squared)};
-        });
+    const Shifting all = parallel::sum(state.blocks(), shift_one);
     report.shifted += all.potential;
     report.max_shift = std::sqrt(all.longest_squared);
 }

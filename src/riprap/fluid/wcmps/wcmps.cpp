@@ -6,32 +6,33 @@
 #include <limits>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/fluid/particle/unsound_particles.hpp"
 
 namespace riprap::fluid {
 namespace {
 
 struct Sums {
-    double kinetic{0}, potential{0}, internal{0}, heat{0}, exchange{0}, earlier_exchange{0}, external{0}, collisions{0};
+    double kinetic{0}, internal{0}, heat{0}, exchange{0}, earlier_exchange{0}, external{0}, collisions{0};
     double speed_squared{0}, acceleration_squared{0};
-    Vec3 momentum{}, extra{};
-};
+    Vec3 momentum{}, extra{}, mass_moment{};
 
-Sums operator+(Sums a, const Sums& b) {
-    a.kinetic += b.kinetic;
-    a.potential += b.potential;
-    a.internal += b.internal;
-    a.heat += b.heat;
-    a.exchange += b.exchange;
-    a.earlier_exchange += b.earlier_exchange;
-    a.external += b.external;
-    a.collisions += b.collisions;
-    a.speed_squared = std::max(a.speed_squared, b.speed_squared);
-    a.acceleration_squared = std::max(a.acceleration_squared, b.acceleration_squared);
-    a.momentum += b.momentum;
-    a.extra += b.extra;
-    return a;
-}
+    template <class By>
+    static void join(Sums& a, const Sums& b, const By& by) {
+        by.add(a.kinetic, b.kinetic);
+        by.add(a.internal, b.internal);
+        by.add(a.heat, b.heat);
+        by.add(a.exchange, b.exchange);
+        by.add(a.earlier_exchange, b.earlier_exchange);
+        by.add(a.external, b.external);
+        by.add(a.collisions, b.collisions);
+        by.largest(a.speed_squared, b.speed_squared);
+        by.largest(a.acceleration_squared, b.acceleration_squared);
+        by.add(a.momentum, b.momentum);
+        by.add(a.extra, b.extra);
+        by.add(a.mass_moment, b.mass_moment);
+    }
+};
 
 }  // namespace
 
@@ -40,7 +41,7 @@ FluidTimeStep Wcmps::limit(const ParticleState& state) const {
         double speed_squared{0}, density{0};
     };
     const Fastest fastest = parallel::reduce(
-        state.owned(), Fastest{0, settings_.rest_density},
+        state.blocks(), Fastest{0, settings_.rest_density},
         [&](std::int64_t entry) {
             const auto i = static_cast<std::size_t>(entry);
             return Fastest{norm_squared(state.velocity[i]), state.density[i]};
@@ -69,7 +70,7 @@ void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt,
                            const SparseVectors& extra_force, FluidReport& report) const {
     const double m = settings_.particle_mass, resistance = m / settings_.rest_density * resistance_to_sound();
     const double divergence = -lattice_.first_order(), factor = force_factor();
-    const Vec3 downward = without_periodic(gravity, settings_.domain), along = gravity - downward;
+    const Vec3 along = gravity - without_periodic(gravity, settings_.domain);
     const auto kick_one = [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         const Vec3 extra = extra_force[i];
@@ -80,7 +81,7 @@ void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt,
         Sums sums;
         sums.kinetic = 0.5 * m * dot(before + collision, after);
         sums.collisions = -0.5 * m * dot(collision, 2.0 * before + collision + dt * acceleration);
-        sums.potential = -m * dot(downward, state.position[i]);
+        sums.mass_moment = m * state.position[i];
         sums.internal = m * internal_energy_of(settings_, water_.concentration[i]);
         // of damped sound along the mean velocity of the kick: half now, half at the next update of density
         const double squeezed = divergence * continuity_.rate[i] / water_.concentration[i] - continuity_.slip[i];
@@ -97,10 +98,9 @@ void Wcmps::kick_particles(ParticleState& state, const Vec3& gravity, double dt,
         sums.extra = extra;
         return sums;
     };
-    const Sums sums =
-        parallel::reduce(state.owned(), Sums{}, kick_one, [](const Sums& a, const Sums& b) { return a + b; });
+    const Sums sums = parallel::sum(state.blocks(), kick_one);
     report.kinetic = sums.kinetic;
-    report.potential = sums.potential;
+    book_potential(gravity, sums.mass_moment, settings_.domain, report);
     report.internal = sums.internal;
     report.dissipated_viscous = dt * sums.heat;
     report.wall_exchange = dt * sums.exchange;

@@ -227,9 +227,6 @@ std::int32_t earlier_answer(CaseBuild& build, const Value& table, std::string_vi
         const std::string meant = nearest(name->text, known);
         build.problem(name->place, fmt::format("no [[expect]] before this one is called '{}'", name->text),
                       meant.empty() ? "the name of an earlier one" : fmt::format("did you mean '{}'?", meant));
-    } else if (std::count(known.begin(), known.end(), name->text) > 1) {
-        build.problem(name->place, fmt::format("several [[expect]] before this one are called '{}'", name->text),
-                      "names of their own");
     }
     return found;
 }
@@ -284,6 +281,11 @@ void read_expect(CaseBuild& build, const Value& table) {
     if (expect.citation.empty()) {
         build.problem(get(table, "citation").place, "the citation is empty", "say where the value comes from");
     }
+    if (std::ranges::find(build.model.expects, expect.name, &sim::Expect::name) != build.model.expects.end()) {
+        // Tables of studies have one column for a name, and other answers find it by that.
+        build.problem(get(table, "name").place, fmt::format("another [[expect]] is called '{}'", expect.name),
+                      "names of their own");
+    }
     check_needs(build, table, expect.name);
     const Value* at = table.find("at");
     if ((expect.reduce == "at" || is_along_profile(table)) != (at != nullptr)) {
@@ -307,6 +309,9 @@ void read_expect(CaseBuild& build, const Value& table) {
     const bool is_of_profile = is_along_profile(table) || sim::is_of_waves(expect.reduce);
     if (relative_to != nullptr && is_of_profile) {
         build.problem(relative_to->place, "'relative_to' says nothing of a profile", "leave it out");
+    } else if (relative_to != nullptr && expect.relative_to == expect.quantity) {
+        build.problem(relative_to->place, fmt::format("'{}' relative to itself is always 0", expect.quantity),
+                      "another quantity");
     }
     const bool has_quantity = is_of_profile ? check_profile(build, expect, get(table, "quantity").place)
                                             : check_column(build, expect.quantity, get(table, "quantity").place);

@@ -246,6 +246,31 @@ void build_fluid_of(CaseBuild& build, const Value& table, Settings& settings) {
     build_particles(build, &table, settings);
 }
 
+/// Refuses what has a pressure by its depth, or waves, at a side where gravity grows or turns, and still water where it
+/// turns.
+void refuse_changing_gravity(CaseBuild& build, const Value& table) {
+    if (!build.model.gravity.changes()) {
+        return;
+    }
+    const auto refuse = [&build](const SourcePlace& place, std::string_view what) {
+        build.problem(place, fmt::format("{} in gravity that grows or turns", what), "gravity that stays as it is");
+    };
+    if (get_text(table, "method") == coupling::HydrostaticSettings::method_name && build.model.gravity.turns()) {
+        refuse(get(table, "method").place, "water that lies still");
+    }
+    for (const char* opening : {"inflow", "outflow"}) {
+        const Value* entries = table.find(opening);
+        for (const Value& entry : entries != nullptr ? entries->items : std::vector<Value>{}) {
+            if (const Value* level = entry.find("level")) {
+                refuse(level->place, fmt::format("the level of an {}", opening));
+            }
+        }
+    }
+    if (const Value* waves = table.find("wave"); waves != nullptr && !waves->items.empty()) {
+        refuse(waves->place, "waves");
+    }
+}
+
 /// Reads domain, regions and levels of a fluid without particles; without the key "domain" it is unbounded.
 /// @returns false after a problem
 bool read_field_scene(CaseBuild& build, const Value& table, coupling::FieldScene& scene) {
@@ -337,6 +362,7 @@ void build_fluid(CaseBuild& build) {
         return;
     }
     build.is_dry.resize(static_cast<std::size_t>(build.model.bodies.size()), 0);  // those of packs say nothing
+    refuse_changing_gravity(build, *table);
     FluidMethods::Settings chosen = FluidMethods::read(*table, "[fluid]", build.problems, build.warnings);
     std::visit([&](auto& settings) { build_fluid_of(build, *table, settings); }, chosen);
 }

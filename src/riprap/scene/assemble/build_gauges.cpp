@@ -112,9 +112,10 @@ void warn_of_cover(CaseBuild& build, const coupling::FaceGauge& face, const flui
             fmt::format("the gauge '{}' is covered at the start and reads 0 as long as it is", gauge.name));
     } else if (coupling::is_near_edge(face, faces)) {
         build.warnings.push_back(
-            fmt::format("the gauge '{}' is nearer than two spacings, {:.3g} m, to an edge of its face, and reads up to "
-                        "a third too little there",
-                        gauge.name, coupling::near_edge * sph.spacing));
+            fmt::format("the gauge '{}' is nearer than {}two spacings, {:.3g} m, to an edge of its face, and reads up "
+                        "to a third too little there",
+                        gauge.name, face.side > 0 ? "half of its side and " : "",
+                        coupling::near_edge * sph.spacing + 0.5 * face.side));
     }
 }
 
@@ -157,14 +158,35 @@ void check_kind(CaseBuild& build, const Value& table, const fluid::GaugeKind& ki
         fmt::format("{}, or fluid.method = {}", fmt::join(kinds, ", "), fmt::join(sim::fluids_that_read(kind), ", ")));
 }
 
+/// Takes the sensing area and the time of response of an instrument.
+void take_sensor(CaseBuild& build, const Value& table, fluid::Gauge& gauge) {
+    const Value* area = table.find("area");
+    if (area != nullptr && gauge.kind->extent != fluid::GaugeExtent::face) {
+        build.problem(area->place, fmt::format("'area' does nothing for a '{}' gauge", get_text(table, "kind")),
+                      "no 'area', or a kind on a face");
+    }
+    const Value* response = table.find("response");
+    if (response == nullptr) {
+        return;
+    }
+    gauge.response = response->as_number();
+    if (gauge.response > build.model.time.end) {
+        build.warnings.push_back(to_string(Diagnostic{
+            response->place,
+            fmt::format("the gauge '{}' responds in {:.4g} s, and the case ends at {:.4g} s: it shows little of it",
+                        gauge.name, gauge.response, build.model.time.end),
+            ""}));
+    }
+}
+
 /// Notes the face that a transducer stands in.
 void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& gauge) {
     const double spacing = sim::fluid_spacing(build.model);
     if (gauge.kind->extent != fluid::GaugeExtent::face || spacing == 0 || !build.has_all_bodies) {
         return;
     }
-    const auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, build.is_dry,
-                                          gauge.point, spacing, body);
+    auto face = coupling::find_face(build.model.shapes, build.model.bodies, build.state.bodies, build.is_dry,
+                                    gauge.point, spacing, body);
     if (!face) {
         const std::string whose = body.is_valid() ? fmt::format(" of '{}'", get_text(table, "body")) : "";
         build.problem(
@@ -172,6 +194,9 @@ void find_wall(CaseBuild& build, const Value& table, BodyId body, fluid::Gauge& 
             fmt::format("no wet face{} within a spacing, {:.4g} m, of the gauge '{}'", whose, spacing, gauge.name),
             "a point on a face of a body that is not wet = false, or the kind 'pressure'");
         return;
+    }
+    if (const Value* area = table.find("area")) {
+        face->side = std::sqrt(area->as_number());
     }
     if (build.model.particles() != nullptr) {
         warn_of_cover(build, *face, gauge);
@@ -276,6 +301,7 @@ void build_gauges(CaseBuild& build, const Value& list) {
                           "no 'end', or a kind along a line, through a rectangle or in a box");
         }
         warn_of_buried(build, get(table, "point").place, gauge);  // before its point is its body's
+        take_sensor(build, table, gauge);
         if (const auto body = find_carrier(build, table, gauge)) {
             find_wall(build, table, *body, gauge);
         }

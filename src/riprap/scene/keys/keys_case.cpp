@@ -95,6 +95,9 @@ Table rows_of_case() {
                 "Version of the case file that its keys are of; a program that is older refuses it. `riprap upgrade "
                 "CASE` gives keys of older versions their names of today."),
          key_or("title", {text()}, Value::of(""), "One line that says what the case shows."),
+         key_or("source", {text()}, Value::of(""),
+                "Publication that the case is taken from: authors and year, section, figure or table. `riprap list "
+                "--published` finds cases by it."),
          key_or("dimension", {integer(2, 3)}, Value::of(3),
                 "3, or 2 for a planar scene: shapes are prisms one unit thick whose motion stays in the x-y plane."),
          required_key("gravity", {vector(dimension::acceleration), form::table(gravity_table)},

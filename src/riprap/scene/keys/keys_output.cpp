@@ -80,6 +80,14 @@ const Table& gauge_table() {
          required_key("point", {vector(dimension::length)}, "Where; start of the line; a corner."),
          optional_key("end", {vector(dimension::length)},
                       "End of the line; the opposite corner. With a kind that looks at a point only beside count."),
+         optional_key("area", {number(dimension::area, positive())},
+                      fmt::format("Sensing area, taken as a square; in a planar case the root of it is the length. For "
+                                  "{}; as small as the water resolves, two spacings to a side, when not given.",
+                                  fmt::join(gauge_words([](auto extent) { return extent == fluid::GaugeExtent::face; }),
+                                            " and "))),
+         optional_key("response", {number(dimension::time, positive())},
+                      "Time of response theta: the instrument shows y with theta dy/dt = reading - y. At once when not "
+                      "given."),
          optional_key(
              "count", {integer(2, 1000)},
              "A profile: so many gauges from point to end, NAME_1, NAME_2 and on. For kinds that look at a point.")}};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "riprap/scene/case/time_tables.hpp"
 #include "riprap/scene/keys/bound_keys.hpp"
@@ -24,6 +25,25 @@ void check_displacements(CaseBuild& build, const Value& table, const TimeTable& 
                 fmt::format("components of at most {:g} m", most));
             return;
         }
+    }
+}
+
+/// Warns of a table with rows only when the run is over, as times in another unit have, or before it begins.
+void warn_of_late_rows(CaseBuild& build, const Value& table, const body::PrescribedMotion& motion) {
+    const auto* law = std::get_if<body::TableMotion>(&motion.law);
+    const double end = build.model.time.end;
+    if (law == nullptr || motion.start >= end) {
+        return;
+    }
+    const double first = motion.start + law->time.front(), last = motion.start + law->time.back();
+    if (first > 0 && first >= end) {
+        build.warnings.push_back(to_string(Diagnostic{
+            table.place, fmt::format("the run ends at {:.6g} s, before this table begins at {:.6g} s", end, first),
+            "times in s"}));
+    } else if (last < 0) {
+        build.warnings.push_back(
+            to_string(Diagnostic{table.place, fmt::format("this table ends at {:.6g} s, before the run begins", last),
+                                 "times from 0 s on"}));
     }
 }
 
@@ -67,6 +87,9 @@ std::int32_t add_motion(CaseBuild& build, const Value& table) {
         build.problem(table.place, fmt::format("a motion from {} s to {} s", motion.start, motion.stop),
                       "stop after start");
         return -1;
+    }
+    if (const Value* rows = table.find(body::TableMotion::word)) {
+        warn_of_late_rows(build, *rows, motion);
     }
     build.model.bodies.motions.push_back(std::move(motion));
     return static_cast<std::int32_t>(build.model.bodies.motions.size()) - 1;

@@ -18,6 +18,8 @@ bool check_wave_maker(CaseBuild& build, const WaveMaker& maker, const Value& tab
     const std::size_t before = build.problems.size();
     if (g == 0) {
         build.problem(table.place, "a wave maker without gravity", "gravity that is not zero");
+    } else if (build.model.gravity.changes()) {
+        build.problem(table.place, "a wave maker in gravity that grows or turns", "gravity that stays as it is");
     }
     maker.wave->check(build, maker, table);
     if (is_flap && !maker.wave->is_of_flaps) {

@@ -18,13 +18,17 @@ void warn(CaseBuild& build, const SourcePlace& place, std::string message, std::
     build.warnings.push_back(to_string(Diagnostic{place, std::move(message), std::string(allowed)}));
 }
 
-/// @param what  that begins, after "the run ends before"
-void warn_of_late(CaseBuild& build, const Value* time, std::string_view what) {
+/// @param what  that begins at `time`, after "the run ends before"
+void warn_of_late(CaseBuild& build, const SourcePlace& place, double time, std::string_view what) {
     const double end = build.model.time.end;
-    if (time != nullptr && time->as_number() > 0 && time->as_number() >= end) {
-        warn(build, time->place,
-             fmt::format("the run ends at {:.6g} s, before {} at {:.6g} s", end, what, time->as_number()),
+    if (time > 0 && time >= end) {
+        warn(build, place, fmt::format("the run ends at {:.6g} s, before {} at {:.6g} s", end, what, time),
              "times are in s; others have their unit with them: \"200 ms\"");
+    }
+}
+void warn_of_late(CaseBuild& build, const Value* time, std::string_view what) {
+    if (time != nullptr) {
+        warn_of_late(build, time->place, time->as_number(), what);
     }
 }
 
@@ -34,7 +38,13 @@ void look_at_loads(CaseBuild& build, const Value& owner) {
         return;
     }
     for (const Value& load : loads->items) {
-        warn_of_late(build, load.find("start"), "this load begins");
+        const auto table = build.force_tables.find(load.find("table"));
+        if (table != build.force_tables.end() && !table->second->time.empty()) {
+            warn_of_late(build, table->first->place, get_number(load, "start") + table->second->time.front(),
+                         "this load begins");
+        } else {
+            warn_of_late(build, load.find("start"), "this load begins");
+        }
         const Value* stop = load.find("stop");
         const Value* ramp = load.find("ramp");
         if (stop != nullptr && ramp != nullptr &&

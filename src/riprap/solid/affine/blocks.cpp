@@ -6,6 +6,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 
 namespace riprap::solid::affine {
 
@@ -101,15 +102,7 @@ BlockSums measure(const BlockSystem& system, const BlockState& state) {
             mass * cross(state.position[b], state.velocity[b]) + angular_momentum(inertia, gradient);
         return sums;
     };
-    const auto fold = [](BlockSums a, const BlockSums& b) {
-        a.mass += b.mass;
-        a.kinetic += b.kinetic;
-        a.potential += b.potential;
-        a.momentum += b.momentum;
-        a.angular_momentum += b.angular_momentum;
-        return a;
-    };
-    return parallel::reduce(system.size(), BlockSums{}, one, fold);
+    return parallel::sum(system.size(), one);
 }
 
 }  // namespace riprap::solid::affine

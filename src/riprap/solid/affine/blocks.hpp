@@ -108,6 +108,15 @@ void place_blocks(const BlockSystem& system, const BlockState& state, PlacedBloc
 struct BlockSums {
     double mass{0}, kinetic{0}, potential{0};
     Vec3 momentum{}, angular_momentum{};  ///< the second about the origin
+
+    template <class By>
+    static void join(BlockSums& a, const BlockSums& b, const By& by) {
+        by.add(a.mass, b.mass);
+        by.add(a.kinetic, b.kinetic);
+        by.add(a.potential, b.potential);
+        by.add(a.momentum, b.momentum);
+        by.add(a.angular_momentum, b.angular_momentum);
+    }
 };
 BlockSums measure(const BlockSystem& system, const BlockState& state);
 

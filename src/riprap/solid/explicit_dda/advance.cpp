@@ -9,6 +9,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/solid/affine/bonds.hpp"
 #include "riprap/solid/explicit_dda/contact_forces.hpp"
@@ -47,7 +48,15 @@ double stable_step_now(const BlockSystem& system, const affine::BlockState& stat
 /// Kicks every free block and adds up the energies of the mid-step pose.
 struct KickSums {
     affine::BlockSums sums;
-    double strain{0}, damping_loss{0}, external_work{0}, dashpot_work{0};
+    double strain{0}, damping_loss{0}, external_work{0};
+
+    template <class By>
+    static void join(KickSums& a, const KickSums& b, const By& by) {
+        by.add(a.sums, b.sums);
+        by.add(a.strain, b.strain);
+        by.add(a.damping_loss, b.damping_loss);
+        by.add(a.external_work, b.external_work);
+    }
 };
 
 KickSums kick_one(const BlockSystem& system, const Settings& settings, double dt, const affine::BlockLoads& external,
@@ -94,18 +103,6 @@ KickSums kick_one(const BlockSystem& system, const Settings& settings, double dt
     return result;
 }
 
-KickSums fold(KickSums a, const KickSums& b) {
-    a.sums.mass += b.sums.mass;
-    a.sums.kinetic += b.sums.kinetic;
-    a.sums.potential += b.sums.potential;
-    a.sums.momentum += b.sums.momentum;
-    a.sums.angular_momentum += b.sums.angular_momentum;
-    a.strain += b.strain;
-    a.damping_loss += b.damping_loss;
-    a.external_work += b.external_work;
-    return a;
-}
-
 }  // namespace
 
 Outcome advance(const BlockSystem& system, const Settings& settings, double dt, const affine::BlockLoads& external,
@@ -127,13 +124,13 @@ Outcome advance(const BlockSystem& system, const Settings& settings, double dt, 
     book_lost_contacts(scratch, state.contacts, dt, report);
     report.stable_step = stable_step_now(system, state.blocks, scratch);
     laps.end(scratch.times.measure);
-    const KickSums sums = parallel::reduce(
-        system.size(), KickSums{},
+    const KickSums sums = parallel::sum(
+        system.size(),
         [&](std::int64_t b) {
             return kick_one(system, settings, dt, external, scratch.loads[at(b)], static_cast<std::int32_t>(b),
                             state.blocks);
         },
-        fold, 256);
+        256);
     report.sums = sums.sums;
     report.strain = sums.strain;
     report.damping_loss = sums.damping_loss;

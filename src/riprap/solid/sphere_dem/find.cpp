@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "riprap/core/exact_sum.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/solid/lanes.hpp"
@@ -53,7 +54,7 @@ void fill_slots(const SphereModel& model, SphereScratch& scratch) {
         }
     }
     slots.count = static_cast<std::int64_t>(slots.a.size());
-    place_rows(spheres, slots, scratch.load_rows);
+    place_rows(model.spheres, slots, scratch.load_rows);
     if (slots.count > 0) {
         slots.a.resize(at(8 * slots.group_count()), slots.a.back());
         slots.b.resize(at(8 * slots.group_count()), slots.b.back());
@@ -234,16 +235,16 @@ double carry_springs(bool has_rolling, bool are_same_slots, Springs& springs, Sp
     });
     std::swap(slots.touching, slots.found);
     slots.is_fresh = false;
-    double lost = 0;  // spring by spring, so that the sum does not depend on the slots
+    ExactSum lost;  // so that the sum depends neither on the slots nor on who has them
     for (const std::vector<double>& dropped : scratch.dropped) {
         for (const double energy : dropped) {
-            lost += energy;
+            lost.add(energy);
         }
     }
     for (std::size_t c = 0; groups == 0 && c < old.size(); ++c) {
-        lost += spring_energy(old, c);
+        lost.add(spring_energy(old, c));
     }
-    return lost;
+    return lost.value();
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace riprap::solid::sphere_dem {
 
 /// Gives the ends of every slot their rows, and lists the rows that are merged.
-void place_rows(std::int32_t sphere_count, Slots& slots, LoadRows& rows);
+void place_rows(const SphereSet& spheres, Slots& slots, LoadRows& rows);
 
 /// Sums the rows per body, in the order of its spheres.
 void gather_loads(const SphereModel& model, const body::BodyState& state, SphereScratch& scratch);

@@ -260,7 +260,7 @@ ContactSums respond_by(const Law& friction, const SphereModel& model, const body
     LoadRows& rows = scratch.load_rows;
     std::vector<ContactSums> partial(at(rows.block_count()));
     const auto first_of = [&](std::int64_t block) {
-        const auto key = static_cast<std::uint64_t>(block * LoadRows::block_spheres) << 32;
+        const auto key = static_cast<std::uint64_t>(rows.first_sphere[at(block)]) << 32;
         return std::ranges::lower_bound(state.contacts.pair, key) - state.contacts.pair.begin();
     };
     parallel::for_each_uneven(rows.block_count(), 1, [&](std::int64_t block) {
@@ -268,11 +268,7 @@ ContactSums respond_by(const Law& friction, const SphereModel& model, const body
                   LoadRow{});
         partial[at(block)] = work.range(first_of(block), first_of(block + 1));
     });
-    ContactSums total;
-    for (const ContactSums& p : partial) {
-        total += p;
-    }
-    return total;
+    return parallel::total_of(partial);
 }
 
 }  // namespace

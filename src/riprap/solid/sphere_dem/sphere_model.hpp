@@ -23,6 +23,8 @@ struct SphereSet {
     std::vector<double> area;         ///< of the surface that a sample stands for; 0 of other spheres [m^2], plane: [m]
     std::vector<double> portion;      ///< area over that of a square of 2 R: by which its springs count [-]
     std::vector<std::int32_t> begin;  ///< first sphere of every body; body count + 1 entries, see finish
+    /// Of each sphere among those of all bodies, ascending, where only some bodies are kept; empty: all are.
+    std::vector<std::int32_t> number;
     /// Per body: most spheres that a plane across a body axis touches at once, within a tenth of their radius; see
     /// finish.
     std::vector<std::int32_t> flat_count;
@@ -33,6 +35,9 @@ struct SphereSet {
     std::vector<double> extent;
 
     std::int32_t size() const { return static_cast<std::int32_t>(radius.size()); }
+    std::int32_t number_of(std::int32_t sphere) const {
+        return number.empty() ? sphere : number[static_cast<std::size_t>(sphere)];
+    }
     std::int32_t count_of(std::int32_t of) const {
         return begin[static_cast<std::size_t>(of) + 1] - begin[static_cast<std::size_t>(of)];
     }

@@ -8,6 +8,7 @@
 #include "riprap/contact/broadphase/pair_cache.hpp"
 #include "riprap/contact/frame.hpp"
 #include "riprap/contact/pipeline.hpp"
+#include "riprap/core/sum.hpp"
 #include "riprap/solid/solid_times.hpp"
 #include "riprap/solid/sphere_dem/sphere_state.hpp"
 
@@ -35,12 +36,16 @@ struct ContactSums {
     double rolling_loss{0};   ///< in this step [J]
     double deepest{0};        ///< largest overlap over the smaller radius [-]
 
+    template <class By>
+    static void join(ContactSums& a, const ContactSums& b, const By& by) {
+        by.add(a.elastic, b.elastic);
+        by.add(a.friction_loss, b.friction_loss);
+        by.add(a.damping_loss, b.damping_loss);
+        by.add(a.rolling_loss, b.rolling_loss);
+        by.largest(a.deepest, b.deepest);
+    }
     ContactSums& operator+=(const ContactSums& b) {
-        elastic += b.elastic;
-        friction_loss += b.friction_loss;
-        damping_loss += b.damping_loss;
-        rolling_loss += b.rolling_loss;
-        deepest = deepest > b.deepest ? deepest : b.deepest;
+        join(*this, b, parallel::JoinBy<parallel::AddRounded>{});
         return *this;
     }
 };
@@ -75,11 +80,14 @@ struct Slots {
     std::int64_t group_count() const { return (count + 7) / 8; }
 };
 
-/// Where loads on spheres are added up. The contacts whose sphere A is one of a block of neighbours are one thread's
+/// Where loads on spheres are added up. The contacts whose sphere A is one of a block of 512 numbers are one thread's
 /// work: they have rows of their own, one per sphere of the block and one per sphere elsewhere that is B of one of
-/// them. So sums have the same bits for any number of threads, and for any list of candidates.
+/// them. So sums have the same bits for any number of threads, for any list of candidates, and where only some of the
+/// blocks are kept.
 struct LoadRows {
     static constexpr std::int32_t block_spheres = 512;
+    std::vector<std::int32_t> first_sphere;  ///< per block; block count + 1 entries
+    std::vector<std::uint32_t> own_row;      ///< of each sphere in its own block
     std::vector<LoadRow> rows;
     std::vector<std::uint32_t> first_row;  ///< per block; block count + 1 entries
     /// A row of a sphere elsewhere that goes to the one in its own block.
@@ -89,10 +97,6 @@ struct LoadRows {
     std::vector<Merge> merges;               ///< by sphere, then in the order of the blocks that they come from
     std::vector<std::uint32_t> merge_begin;  ///< per block of the spheres, into `merges`; block count + 1 entries
     std::int64_t block_count() const { return static_cast<std::int64_t>(first_row.size()) - 1; }
-    std::uint32_t own_row(std::int32_t sphere) const {
-        return first_row[static_cast<std::size_t>(sphere / block_spheres)] +
-               static_cast<std::uint32_t>(sphere % block_spheres);
-    }
 };
 
 /// One contact of a sphere with a part or triangle.

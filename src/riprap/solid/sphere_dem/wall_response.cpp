@@ -33,11 +33,11 @@ double carry_springs(bool has_rolling, const std::vector<WallContact>& walls, Sp
     springs.stiffness.resize(count);
     springs.normal.resize(count);
     springs.rolling.assign(has_rolling ? count : 0, {});
-    double lost = 0;
+    ExactSum lost;
     std::size_t from = 0;
     const auto drop = [&] {
         const double stiffness = std::abs(old.stiffness[from]);
-        lost += stiffness > 0 ? norm_squared(old.force[from]) / (2 * stiffness) : 0;
+        lost.add(stiffness > 0 ? norm_squared(old.force[from]) / (2 * stiffness) : 0);
         ++from;
     };
     for (std::size_t c = 0; c < count; ++c) {
@@ -59,7 +59,7 @@ double carry_springs(bool has_rolling, const std::vector<WallContact>& walls, Sp
     while (from < old.size()) {
         drop();
     }
-    return lost;
+    return lost.value();
 }
 
 /// Contacts side by side: a vector of the machine.
@@ -204,23 +204,24 @@ struct RespondToWalls {
 template <class Law>
 ContactSums respond_by(const Law& friction, const SphereModel& model, const body::BodyState& bodies, double dt,
                        Springs& springs, SphereScratch& scratch) {
-    constexpr std::int64_t range = 256;  // contacts that one thread takes at a time; part of the sums
     const Surfaces<Native> surfaces(model.table, model.settings.normal);
     const RespondToWalls<Law> work{friction, model, bodies, dt, springs, scratch, surfaces};
-    const auto count = static_cast<std::int64_t>(scratch.walls.size());
-    std::vector<ContactSums> partial(at((count + range - 1) / range));
-    parallel::for_ranges(count, range, [&](std::int64_t begin, std::int64_t end) {
+    // Contacts come in the order of their spheres; those of a block of spheres are one thread's work and one sum.
+    const LoadRows& rows = scratch.load_rows;
+    const auto first_of = [&](std::int64_t block) {
+        return std::ranges::lower_bound(scratch.walls, rows.first_sphere[at(block)], {}, &WallContact::sphere) -
+               scratch.walls.begin();
+    };
+    std::vector<ContactSums> partial(at(rows.block_count()));
+    parallel::for_each_uneven(rows.block_count(), 1, [&](std::int64_t block) {
         WideSums sums;
-        for (std::int64_t c = begin, p = 0; c < end; c += side_by_side, p = p + 1 < parts ? p + 1 : 0) {
+        const std::int64_t end = first_of(block + 1);
+        for (std::int64_t c = first_of(block), p = 0; c < end; c += side_by_side, p = p + 1 < parts ? p + 1 : 0) {
             work.part(at(c), std::min(side_by_side, end - c), at(p), sums);
         }
-        partial[at(begin / range)] = sums.fold();
+        partial[at(block)] = sums.fold();
     });
-    ContactSums total;
-    for (const ContactSums& p : partial) {
-        total += p;
-    }
-    return total;
+    return parallel::total_of(partial);
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ class WallsThere {
     void take_for_forces(const BoundaryParticles& walls) {
         take(walls);
         may_stick_ = fluid::may_stick(walls);
+        Where::template upload<Vec3>(walls.at_face(), foot_velocity_);
         has_given_ = !walls.given_pressure.empty();
         Where::template upload<std::uint8_t>(walls.is_slippery, is_slippery_);
         Where::template upload<double>(walls.given_pressure, given_pressure_);
@@ -65,6 +66,7 @@ class WallsThere {
     /// Takes how they move and accelerate.
     void take_motion(const BoundaryParticles& walls) {
         Where::template upload<Vec3>(walls.velocity, velocity_);
+        Where::template upload<Vec3>(walls.at_face(), foot_velocity_);
         Where::template upload<Vec3>(walls.acceleration, acceleration_);
     }
     void give_loads(BoundaryParticles& walls) const {
@@ -79,6 +81,7 @@ class WallsThere {
         return {static_cast<std::int64_t>(position_.size()),
                 position_.data(),
                 velocity_.data(),
+                foot_velocity_.data(),
                 acceleration_.data(),
                 volume_.data(),
                 is_slippery_.data(),
@@ -89,8 +92,8 @@ class WallsThere {
                 viscous_force_.data()};
     }
     std::size_t bytes() const {
-        return (position_.capacity() + velocity_.capacity() + acceleration_.capacity() + pressure_force_.capacity() +
-                viscous_force_.capacity()) *
+        return (position_.capacity() + velocity_.capacity() + foot_velocity_.capacity() + acceleration_.capacity() +
+                pressure_force_.capacity() + viscous_force_.capacity()) *
                    sizeof(Vec3) +
                (volume_.capacity() + given_pressure_.capacity() + pressure_.capacity()) * sizeof(double) +
                is_slippery_.capacity();
@@ -98,7 +101,8 @@ class WallsThere {
 
  private:
     bool may_stick_{false}, has_given_{false};
-    typename Where::template Array<Vec3> position_, velocity_, acceleration_, pressure_force_, viscous_force_;
+    typename Where::template Array<Vec3> position_, velocity_, foot_velocity_, acceleration_, pressure_force_,
+        viscous_force_;
     typename Where::template Array<double> volume_, given_pressure_, pressure_;
     typename Where::template Array<std::uint8_t> is_slippery_;
 };
