@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -14,12 +15,16 @@
 #include "commands.hpp"
 #include "riprap/bench/bench.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/core/printable.hpp"
+#include "riprap/run/again/stored_run.hpp"
 #include "riprap/run/ensemble.hpp"
 #include "riprap/run/find_case.hpp"
 #include "riprap/run/provenance.hpp"
 #include "riprap/run/run_case.hpp"
+#include "riprap/run/sweep_processes.hpp"
 #include "riprap/scene/keys/key_text.hpp"
 #include "riprap/validation/validate.hpp"
+#include "slurm_options.hpp"
 
 namespace riprap {
 
@@ -40,13 +45,29 @@ constexpr const char* exit_code_help =
 constexpr const char* case_help = "A case file, a folder with a case.toml, or a name from `riprap list`";
 constexpr int max_threads = 1024;
 
+/// Runs what is in a run folder again, and says whether the State at its end is the same.
+int run_again(const run::StoredRun& stored, run::RunOptions options, const std::string& out) {
+    const bool is_changed = !options.overrides.empty();
+    options.case_path = stored.case_file.string();
+    options.overrides.insert(options.overrides.begin(), stored.overrides.begin(), stored.overrides.end());
+    options.out = out.empty() ? std::filesystem::path("runs") / (stored.name + "_again") : std::filesystem::path(out);
+    const int code = run::run_case(options);
+    if (code > static_cast<int>(ExitCode::failed) || is_changed) {
+        return code;
+    }
+    const run::Comparison found = run::compare(stored, options.out);
+    fmt::print(found.is_same ? stdout : stderr, "{}{}\n", found.is_same ? "" : "riprap: ", printable(found.text));
+    return found.is_same ? code : static_cast<int>(ExitCode::failed);
+}
+
 void add_run(CLI::App& app, Action& action) {
     auto options = std::make_shared<run::RunOptions>();
     auto out = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand("run", "Run a case into a folder");
     command->footer(
         "Example:\n  riprap run jointed_slope --end 2 --set material.rock.cohesion=\"1 kPa\" --out runs/trial");
-    command->add_option("CASE", options->case_path, case_help)->required();
+    command->add_option("CASE", options->case_path, std::string(case_help) + ", or a run folder, to run it again")
+        ->required();
     command->add_option("--out", *out, "The run folder (default: runs/NAME)");
     command->add_option("--threads", options->threads, "Threads (default: OMP_NUM_THREADS, or else all)")
         ->check(CLI::Range(1, max_threads));
@@ -63,26 +84,49 @@ void add_run(CLI::App& app, Action& action) {
     CLI::Option* resume = command->add_flag("--resume", options->resume, "Continue the run in the folder, if any");
     command->add_flag("--force", options->force, "Replace the run in the folder, if any")->excludes(resume);
     command->add_flag("--quiet", options->quiet, "Print verdicts and errors only");
-    auto members = std::make_shared<std::int64_t>(0);
+    struct Ensemble {
+        std::int64_t members{0};
+        int jobs{0};
+        SlurmWords slurm;
+    };
+    auto ensemble = std::make_shared<Ensemble>();
+    CLI::Option* members =
+        command
+            ->add_option("--ensemble", ensemble->members,
+                         "Run N members, each with its own values drawn from [[spread]] of the case, and write "
+                         "bands.csv and bands.svg; existing members are continued")
+            ->type_name("N")
+            ->check(CLI::Range(1, 10000));
     command
-        ->add_option(
-            "--ensemble", *members,
-            "Run N members, each with its own values drawn from [[spread]] of the case, and write bands.csv and "
-            "bands.svg; existing members are continued")
-        ->type_name("N")
-        ->check(CLI::Range(1, 10000));
-    command->callback([&action, options, limits, out, members] {
+        ->add_option("--jobs", ensemble->jobs, "With --ensemble: members at a time (default: as many as cores allow)")
+        ->check(CLI::Range(1, max_threads))
+        ->needs(members);
+    add_slurm_options(*command, ensemble->slurm);
+    command->get_option("--submit")->needs(members);
+    command->callback([&action, options, limits, out, ensemble] {
+        require_submit(ensemble->slurm);
         for (const auto& [key, value] : {std::pair("end=", limits->end), std::pair("max_steps=", limits->max_steps)}) {
             if (value) {
                 options->overrides.push_back(key + *value);
             }
         }
-        action = [options, out, members] {
+        action = [options, out, ensemble] {
+            if (ensemble->members == 0) {
+                if (const std::optional<run::StoredRun> stored = run::stored_run(options->case_path)) {
+                    return run_again(*stored, *options, *out);
+                }
+            }
             const std::filesystem::path file = run::find_case(options->case_path);
             options->case_path = file.string();
             options->out =
                 out->empty() ? std::filesystem::path("runs") / run::short_name(file) : std::filesystem::path(*out);
-            return *members > 0 ? run_ensemble({*options, *members}) : run::run_case(*options);
+            if (ensemble->members == 0) {
+                return run::run_case(*options);
+            }
+            options->threads = std::max(1, options->threads);  // members side by side use the cores better
+            const int usual = ensemble->slurm.submit.empty() ? run::usual_jobs(options->threads) : 0;
+            return run_ensemble({*options, ensemble->members, ensemble->jobs > 0 ? ensemble->jobs : usual},
+                                ensemble->slurm);
         };
     });
 }

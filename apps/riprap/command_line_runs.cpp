@@ -11,6 +11,8 @@
 
 #include "command_line_parts.hpp"
 #include "commands.hpp"
+#include "riprap/core/printable.hpp"
+#include "riprap/view/archive/archive_run.hpp"
 #include "riprap/view/page.hpp"
 #include "riprap/view/render.hpp"
 #include "riprap/view/surface_export.hpp"
@@ -188,6 +190,31 @@ void add_waves(CLI::App& app, Action& action) {
     });
 }
 
+void add_pack(CLI::App& app, Action& action) {
+    auto options = std::make_shared<view::ArchiveOptions>();
+    CLI::App* command = app.add_subcommand("pack", "Make one archive of a run, to hand on: case, tables, page, origin");
+    command->footer("Example:\n  riprap pack runs/dam --out dam.tar.gz");
+    command->add_option("RUN", options->folder, "The run folder")->required();
+    command->add_option("--out", options->out, "The archive, NAME.tar.gz (default: RUN.tar.gz, beside it)");
+    command->add_flag("--frames", options->has_frames, "With the frames for ParaView");
+    command->add_flag("--checkpoint", options->has_checkpoint, "With the State, to go on from");
+    command->add_flag("--force", options->force, "Replace the archive that is there");
+    command->callback([&action, options] {
+        if (!options->out.empty() && !options->out.string().ends_with(".tar.gz")) {
+            throw CLI::ValidationError("--out", fmt::format("'{}' must end in .tar.gz", options->out.string()));
+        }
+        action = [options] {
+            const view::Archived archive = view::archive_run(*options);
+            for (const std::string& notice : archive.notices) {
+                fmt::print(stderr, "riprap: {}\n", printable(notice));
+            }
+            fmt::print("{}: {} files, {:.2f} MB\n", printable(archive.archive.string()), archive.files,
+                       1e-6 * static_cast<double>(archive.bytes));
+            return 0;
+        };
+    });
+}
+
 }  // namespace
 
 void add_commands_of_runs(CLI::App& app, Action& action) {
@@ -196,6 +223,7 @@ void add_commands_of_runs(CLI::App& app, Action& action) {
     add_surface(app, action);
     add_plot(app, action);
     add_waves(app, action);
+    add_pack(app, action);
 }
 
 }  // namespace riprap

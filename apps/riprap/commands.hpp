@@ -54,8 +54,13 @@ struct ViewOptions {
 /// One page with everything that a run left, or with several runs side by side.
 int view_run(const ViewOptions& options);
 
-/// Runs an ensemble and plots its bands: one SVG for every unit that the case records.
-int run_ensemble(const run::EnsembleOptions& options);
+struct SlurmWords;
+
+/// Runs an ensemble and plots its bands, in the unit of the first; or hands it in to Slurm.
+int run_ensemble(const run::EnsembleOptions& options, const SlurmWords& slurm);
+
+/// Makes tables, bands and page of an ensemble whose members other processes ran.
+int gather_ensemble(const std::filesystem::path& out, bool is_quiet);
 
 /// A picture or a movie of a run.
 int print_render(const view::RenderOptions& options);

@@ -6,8 +6,10 @@
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
+#include "riprap/run/sweep_plan.hpp"
 #include "riprap/view/plot_svg.hpp"
 #include "riprap/view/sweep_page.hpp"
+#include "slurm_options.hpp"
 
 namespace riprap {
 
@@ -35,26 +37,44 @@ view::Plot plot_of(const run::Bands& bands) {
     return plot;
 }
 
-}  // namespace
-
-int run_ensemble(const run::EnsembleOptions& options) {
-    const int code = run::run_ensemble(options);
-    if (code > static_cast<int>(ExitCode::signal_base)) {
-        return code;
-    }
+/// Draws the bands and writes the page of the members in a folder.
+void show_ensemble(const std::filesystem::path& out, bool is_quiet) {
     std::vector<std::filesystem::path> folders;
-    for (std::int64_t k = 1; k <= options.members; ++k) {
-        folders.push_back(options.run.out / fmt::format("member-{}", k));
+    const std::vector<run::SweepPoint> members = run::read_plan(out).points;
+    for (const run::SweepPoint& member : members) {
+        folders.push_back(out / member.name);
     }
     const run::Bands bands = run::gather_bands(folders);
     if (!bands.bands.empty()) {
-        view::write_svg(options.run.out / "bands.svg", plot_of(bands));
+        view::write_svg(out / "bands.svg", plot_of(bands));
     }
-    const std::filesystem::path page = view::write_ensemble_page(options.run.out);
-    if (!options.run.quiet) {
-        fmt::print("{} members, {} bands in {}, shown in {}\n", options.members, bands.bands.size(),
-                   printable((options.run.out / "bands.csv").string()), printable(page.string()));
+    const std::filesystem::path page = view::write_ensemble_page(out);
+    if (!is_quiet) {
+        fmt::print("{} members, {} bands in {}, shown in {}\n", members.size(), bands.bands.size(),
+                   printable((out / "bands.csv").string()), printable(page.string()));
     }
+}
+
+}  // namespace
+
+int run_ensemble(const run::EnsembleOptions& options, const SlurmWords& slurm) {
+    if (!slurm.submit.empty()) {
+        if (!options.run.quiet) {
+            tell_cost(options.run.case_path, options.run.overrides, "the case as it is",
+                      static_cast<std::size_t>(options.members), options.run.threads, 0);
+        }
+        return hand_in(slurm, run::write_ensemble_scripts(options, slurm_of(slurm, options.jobs)));
+    }
+    const int code = run::run_ensemble(options);
+    if (code <= static_cast<int>(ExitCode::signal_base)) {
+        show_ensemble(options.run.out, options.run.quiet);
+    }
+    return code;
+}
+
+int gather_ensemble(const std::filesystem::path& out, bool is_quiet) {
+    const int code = run::gather_ensemble(out, is_quiet);
+    show_ensemble(out, is_quiet);
     return code;
 }
 

@@ -6,16 +6,16 @@
 #include <memory>
 
 #include "command_line_parts.hpp"
+#include "commands.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
+#include "riprap/run/ensemble/members.hpp"
 #include "riprap/run/find_case.hpp"
-#include "riprap/run/progress.hpp"
-#include "riprap/run/run_case.hpp"
-#include "riprap/run/run_cost.hpp"
 #include "riprap/run/sweep_plan.hpp"
-#include "riprap/run/sweep_slurm.hpp"
+#include "riprap/run/sweep_processes.hpp"
 #include "riprap/view/sweep_page.hpp"
+#include "slurm_options.hpp"
 
 namespace riprap {
 
@@ -24,11 +24,10 @@ namespace {
 struct SweepWords {
     std::string case_text, out, list;
     std::vector<std::string> vary, overrides;
-    std::string submit;
-    run::SlurmOptions slurm;
+    SlurmWords slurm;
     std::size_t point{0};
     int jobs{0}, threads{1};
-    bool is_quiet{false}, is_gather{false}, is_script_only{false};
+    bool is_quiet{false}, is_gather{false}, is_plan{false};
 };
 
 /// Reads the study that the words describe. @throws CaseError where they describe none
@@ -56,45 +55,31 @@ run::SweepOptions study_of(const SweepWords& words) {
     return options;
 }
 
-/// Tells what the runs of a study would take, by the first steps of the first of them, on this machine.
-void tell_cost(const run::SweepOptions& options) {
-    constexpr double budget = 2;  // [s]
+/// Tells what the study would take by its first run.
+void tell_cost_of(const run::SweepOptions& options, int jobs) {
     std::vector<std::string> overrides = options.overrides;
     const std::vector<std::string>& first = options.points.front().overrides;
     overrides.insert(overrides.end(), first.begin(), first.end());
-    run::RunCost cost;
-    try {
-        cost = run::measure_cost(scene::read_case(options.case_path, overrides), budget);
-    } catch (const CaseError& error) {
-        cost.refusal = error.what();
-    }
-    if (!cost.refusal.empty()) {
-        fmt::print("{} runs; the first is refused: {}\n", options.points.size(), printable(cost.refusal));
-        return;
-    }
-    fmt::print(
-        "{} runs; by its first steps {} takes {} steps and {} here with {} threads, and as many runs like it {}\n",
-        options.points.size(), options.points.front().name, cost.steps, run::duration_text(cost.seconds()),
-        options.threads, run::duration_text(cost.seconds() * static_cast<double>(options.points.size())));
+    tell_cost(options.case_path, overrides, options.points.front().name, options.points.size(), options.threads, jobs);
 }
 
 /// Hands a study in to Slurm, or writes its scripts only.
 int submit_study(const SweepWords& words, const run::SweepOptions& options) {
     run::claim_study(options);
     if (!words.is_quiet) {
-        run::use_threads(options.threads);
-        tell_cost(options);
+        tell_cost_of(options, words.jobs);
     }
-    run::SlurmOptions slurm = words.slurm;
-    slurm.jobs = words.jobs;
-    slurm.program = std::filesystem::read_symlink("/proc/self/exe");
-    slurm.largest_index = run::largest_array_index();
-    const run::SlurmScripts scripts = run::write_slurm_scripts(options, slurm);
-    if (words.is_script_only) {
-        fmt::print("{}\n", printable(scripts.submit.string()));
-        return 0;
+    return hand_in(words.slurm, run::write_slurm_scripts(options, slurm_of(words.slurm, words.jobs)));
+}
+
+/// Says what would run, and what it would take; writes nothing.
+int plan_study(const run::SweepOptions& options) {
+    for (const run::SweepPoint& point : options.points) {
+        fmt::print("{}  {}{}\n", point.name, printable(fmt::format("{}", fmt::join(point.overrides, " "))),
+                   run::is_finished(options, point) ? "  finished before" : "");
     }
-    return run::submit(scripts);
+    tell_cost_of(options, options.jobs > 0 ? options.jobs : run::usual_jobs(options.threads));
+    return 0;
 }
 
 /// Reads the study in a folder, for what takes part in it: a task of a cluster, or the gathering of tables.
@@ -111,11 +96,17 @@ int sweep(const SweepWords& words) {
     }
     int code = 0;
     std::filesystem::path out = words.out;
+    if (words.is_gather && run::is_ensemble(out)) {
+        return gather_ensemble(out, words.is_quiet);
+    }
     if (words.is_gather) {
         code = run::gather_study(study_in_folder(words));
     } else {
         const run::SweepOptions options = study_of(words);
-        if (!words.submit.empty()) {
+        if (words.is_plan) {
+            return plan_study(options);
+        }
+        if (!words.slurm.submit.empty()) {
             return submit_study(words, options);
         }
         code = run::run_sweep(options);
@@ -125,18 +116,8 @@ int sweep(const SweepWords& words) {
     return code;
 }
 
-/// Adds the options that make a study a job array of Slurm, and those with which its tasks call this program.
-void add_slurm_options(CLI::App& command, SweepWords& words) {
-    command.add_option("--submit", words.submit, "Hand the runs in as a job array instead: slurm")
-        ->check(CLI::IsMember({"slurm"}))
-        ->type_name("slurm");
-    command.add_flag("--script-only", words.is_script_only, "With --submit: write the scripts, hand nothing in");
-    command.add_option("--partition", words.slurm.partition, "With --submit: the partition of the cluster");
-    command.add_option("--account", words.slurm.account, "With --submit: the account that pays");
-    command.add_option(
-        "--time", words.slurm.time,
-        "With --submit: the time limit of a run, as 2:00:00; what takes longer is queued again and goes on");
-    command.add_option("--memory", words.slurm.memory, "With --submit: memory of a run, as 4G");
+/// Adds the options with which the tasks of a cluster call this program.
+void add_task_options(CLI::App& command, SweepWords& words) {
     command.add_option("--point", words.point, "Run one run of the study in --out, by its number from 1")
         ->check(CLI::PositiveNumber);
     command.add_flag("--gather", words.is_gather, "Make the tables of the study in --out from what its runs have left");
@@ -145,8 +126,9 @@ void add_slurm_options(CLI::App& command, SweepWords& words) {
 /// Refuses what does not go together. @throws CLI::Error
 void require_whole(const SweepWords& words) {
     const bool takes_part = words.point > 0 || words.is_gather;
-    if (takes_part && ((words.point > 0 && words.is_gather) || !words.submit.empty() || words.jobs > 0)) {
-        throw CLI::ExcludesError("--point and --gather", "each other, --submit and --jobs");
+    if (takes_part &&
+        ((words.point > 0 && words.is_gather) || !words.slurm.submit.empty() || words.is_plan || words.jobs > 0)) {
+        throw CLI::ExcludesError("--point and --gather", "each other, --submit, --plan and --jobs");
     }
     if (takes_part && words.out.empty()) {
         throw CLI::RequiredError("--out");
@@ -161,12 +143,10 @@ void require_whole(const SweepWords& words) {
     if (!takes_part && words.vary.empty() && words.list.empty()) {
         throw CLI::RequiredError("--vary or --list");
     }
-    const run::SlurmOptions& slurm = words.slurm;
-    const bool asks_slurm = words.is_script_only || !slurm.partition.empty() || !slurm.account.empty() ||
-                            !slurm.time.empty() || !slurm.memory.empty();
-    if (asks_slurm && words.submit.empty()) {
-        throw CLI::RequiresError("--script-only, --partition, --account, --time and --memory", "--submit");
+    if (words.is_plan && !words.slurm.submit.empty()) {
+        throw CLI::ExcludesError("--plan", "--submit");
     }
+    require_submit(words.slurm);
 }
 
 }  // namespace
@@ -200,7 +180,9 @@ void add_sweep(CLI::App& app, Action& action) {
     command->add_option("--threads", words->threads, "Threads of each run (default: 1)")
         ->check(CLI::Range(1, max_jobs));
     command->add_flag("--quiet", words->is_quiet, "Print the page and errors only");
-    add_slurm_options(*command, *words);
+    command->add_flag("--plan", words->is_plan, "Say what would run, and what it would take; run nothing");
+    add_slurm_options(*command, words->slurm);
+    add_task_options(*command, *words);
     command->callback([&action, words] {
         require_whole(*words);
         action = [words] { return sweep(*words); };

@@ -61,6 +61,9 @@ function kindOf({name, unit}) {
     return parts[0] === 'fluid' ? 'energy of the fluid since the start'
       : parts[0] === 'solid' ? 'energy of the solids since the start' : 'balance of energy';
   }
+  if (parts[0] === 'fluid' && parts[1].startsWith('volume_')) {
+    return 'volume of the fluid by cause since the start';
+  }
   return parts.length > 1 ? quantity : name.startsWith('water_') ? 'water' : unit === '-' ? 'counts and ratios' :
       SCENE.has(name) ? 'scene' : 'gauges';
 }

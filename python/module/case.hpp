@@ -19,6 +19,7 @@ struct Case {
 };
 
 void define_case(pybind11::module_& module);
+void define_ensemble(pybind11::module_& module);
 
 }  // namespace riprap::python
 

@@ -44,6 +44,7 @@ PYBIND11_MODULE(_riprap, module) {
     using namespace py::literals;
     riprap::python::register_errors();
     riprap::python::define_case(module);
+    riprap::python::define_ensemble(module);
     riprap::python::define_simulation(module);
     riprap::python::define_run(module);
     riprap::python::define_waves(module);

@@ -36,7 +36,7 @@ from .errors import (
     NumericalError,
     Problem,
 )
-from .records import Frame, Run, Study, Table, open, sweep  # noqa: A004
+from .records import Frame, Run, Study, Table, ensemble, open, sweep  # noqa: A004
 
 _add_case_root(_os.path.dirname(_os.path.abspath(__file__)))  # the examples that came with the package
 
@@ -47,6 +47,6 @@ if hasattr(_os, "register_at_fork"):
 # Without `list` and `open`, which `from riprap import *` would put over Python's own.
 __all__ = [
     "Bodies", "Case", "CaseError", "CheckpointError", "Error", "FileError", "Fluid", "Frame", "InternalError", "NumericalError",
-    "Problem", "Run", "Simulation", "Study", "Table", "__version__", "build", "build_info", "load", "loads", "run", "set_threads",
-    "sweep", "threads", "waves",
+    "Problem", "Run", "Simulation", "Study", "Table", "__version__", "build", "build_info", "ensemble", "load", "loads", "run",
+    "set_threads", "sweep", "threads", "waves",
 ]

@@ -357,15 +357,69 @@ def sweep(
     `map` runs the runs elsewhere instead: map(function, arguments) of a pool, of mpi4py.futures or of Dask's client, whose
     machines see `out` under the same path. It keeps the order and calls the function once for each run; what it returns are the answers or futures of them.
     """
-    title = case.title if isinstance(case, _Case) else str(case)
-    case = (case.text, str(case.folder), case.overrides) if isinstance(case, _Case) else str(case)
     if isinstance(vary, dict):
         points = [dict(zip(vary, values)) for values in _itertools.product(*vary.values())]
     else:
         points = [dict(point) for point in vary]
     out = _pathlib.Path(out)
-    out.mkdir(parents=True, exist_ok=True)
     folders = [out / f"run_{k + 1:03}" for k in range(len(points))]
+    from ._riprap import _write_study_page
+
+    study = _runs_of(case, points, folders, jobs, threads, map)
+    (out / "sweep.json").write_text(_study_json(case, study, folders))
+    _write_study_page(out)
+    return study
+
+
+def ensemble(
+    case: str | _os.PathLike[str] | _Case,
+    members: int,
+    out: str | _os.PathLike[str],
+    *,
+    jobs: int | None = None,
+    threads: int = 1,
+    map: _Callable[..., _Iterable[_Any]] | None = None,  # noqa: A002
+) -> Study:
+    """Runs `members` of a case with [[spread]], each with values of its own, the same as `riprap run --ensemble` draws.
+
+    Members are run folders `member-1`, ... of `out`, made as the runs of `sweep` are, several at a time or by `map`; those
+    that are finished stay. Returns a Study, and leaves ensemble.csv (member, seed, exit code, values), bands.csv (least,
+    mean and largest of what is recorded, over time), ensemble.json and index.html in `out`.
+    """
+    import riprap
+
+    from ._riprap import _draws, _write_ensemble
+
+    loaded = case if isinstance(case, _Case) else riprap.load(case)
+    seed, points = _draws(loaded, members)
+    out = _pathlib.Path(out)
+    folders = [out / f"member-{k + 1}" for k in range(members)]
+    study = _runs_of(case, points, folders, jobs, threads, map)
+    (out / "ensemble.json").write_text(_study_json(case, study, folders))
+    heading = ["member [-]", "seed [-]", "exit_code [-]", *(f"{key} [SI]" for key in points[0])]
+    rows = [[k + 1, seed, _code_of(one), *one["set"].values()] for k, one in enumerate(study)]
+    (out / "ensemble.csv").write_text("".join(",".join(str(value) for value in row) + "\n" for row in [heading, *rows]))
+    for left_out in _write_ensemble(out, folders):
+        import warnings
+
+        warnings.warn(left_out, RuntimeWarning, stacklevel=2)
+    return study
+
+
+def _code_of(one):
+    """Exit code that the run of a study has, as `riprap run` would end with; empty where it has not ended."""
+    run = one["run"]
+    if run is None or run.status not in ("finished", "failed"):
+        return "" if not one["error"] else 3
+    if run.status == "failed":
+        return 4
+    return int(any(answer["verdict"] == "failed" for answer in run.summary.get("expects", [])))
+
+
+def _runs_of(case, points, folders, jobs, threads, way):
+    """Runs what is not finished of a study, and lists all of it."""
+    case = (case.text, str(case.folder), case.overrides) if isinstance(case, _Case) else str(case)
+    folders[0].parent.mkdir(parents=True, exist_ok=True)
     errors = [""] * len(points)
 
     def is_finished(folder):
@@ -375,12 +429,10 @@ def sweep(
     for k in asked:
         errors[k] = "no answer came from the map"
     tasks = [(case, points[k], str(folders[k].resolve()), threads) for k in asked]
-    for k, error in zip(asked, _answers_of(map(_run_task, tasks)) if map else _answers_of_processes(tasks, jobs, threads)):
+    for k, error in zip(asked, _answers_of(way(_run_task, tasks)) if way else _answers_of_processes(tasks, jobs, threads)):
         errors[k] = error
-    runs = [{"set": point, "run": Run(folder) if (folder / "run.json").is_file() else None, "error": error}
-            for point, folder, error in zip(points, folders, errors)]
-    _write_study(title, runs, folders, out)
-    return Study(runs)
+    return Study({"set": point, "run": Run(folder) if (folder / "run.json").is_file() else None, "error": error}
+                 for point, folder, error in zip(points, folders, errors))
 
 
 def _run_task(task):
@@ -411,10 +463,8 @@ def _answers_of_processes(tasks, jobs, threads):
         yield from _answers_of([pool.submit(_run_task, task) for task in tasks])
 
 
-def _write_study(title, runs, folders, out):
-    """sweep.json and index.html, as `riprap sweep` leaves them."""
-    from ._riprap import _write_study_page
-
+def _study_json(case, runs, folders):
+    """The text of sweep.json, as `riprap sweep` leaves it."""
     listed = []
     for one, folder in zip(runs, folders):
         run, summary = one["run"], one["run"].summary if one["run"] else {}
@@ -425,9 +475,8 @@ def _write_study(title, runs, folders, out):
         listed.append({"name": folder.name, "set": {key: _shown(value) for key, value in one["set"].items()},
                        "status": run.status if run else "failed", "reason": one["error"], "wall_seconds": summary.get("wall_seconds"),
                        "answers": summary.get("expects", []), "columns": columns})
-    study = {"case": title, "set": [], "runs": listed}
-    (out / "sweep.json").write_text(_json.dumps(study, indent=1).replace("NaN", "null"))
-    _write_study_page(out)
+    title = case.title if isinstance(case, _Case) else str(case)
+    return _json.dumps({"case": title, "set": [], "runs": listed}, indent=1).replace("NaN", "null")
 
 
 def _shown(value):

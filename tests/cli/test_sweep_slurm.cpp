@@ -104,7 +104,7 @@ class SlurmCluster : public SlurmStudy {
  protected:
     SlurmCluster() {
         write_program("sbatch", "echo \"$@\" >>" + out("asked") + "\necho $(($(wc -l <" + out("asked") + ") + 40))");
-        write_program("squeue", "cat " + out("queue") + " 2>/dev/null");
+        write_program("squeue", "cat " + out("queue") + " 2>/dev/null\ntrue");
         write_program("scontrol", "echo 'MaxArraySize            = 3'");
         setenv("PATH", (folder.path().string() + ":/usr/bin:/bin").c_str(), 1);
     }
@@ -132,10 +132,22 @@ TEST_F(SlurmCluster, GetsArraysOfAtMostItsSizeAndTheTablesAfterThem) {
 
 TEST_F(SlurmCluster, DoesNotGetAStudyTwiceAtATime) {
     ASSERT_EQ(hand_in({"--quiet"}).code, 0);
-    write_file("queue", "41 main riprap-study\n");
+    write_file("queue", "7\n41\n");
     const Ending ending = hand_in({"--quiet"});
     EXPECT_EQ(ending.code, 5);
     EXPECT_THAT(ending.err, AllOf(HasSubstr("the study is under way: jobs 41,42,43"), HasSubstr("not handed in")));
+    write_file("queue", "7\n4\n410\n");  // jobs of other studies
+    EXPECT_EQ(hand_in({"--quiet"}).code, 0);
+}
+
+TEST_F(SlurmCluster, DoesNotGetAStudyThatItMayRunWhileItsControllerIsAway) {
+    // An empty answer of `squeue` was taken for no jobs, and the numbers of those that waited were written over.
+    ASSERT_EQ(hand_in({"--quiet"}).code, 0);
+    write_program("squeue", "exit 1");
+    const Ending ending = hand_in({"--quiet"});
+    EXPECT_EQ(ending.code, 5);
+    EXPECT_THAT(ending.err, HasSubstr("Slurm does not answer; jobs 41,42,43 may be under way"));
+    EXPECT_EQ(text_of(in("study", "slurm_jobs")), "41\n42\n43\n");
 }
 
 TEST_F(SlurmCluster, IsMissedWhereThereIsNone) {
@@ -150,6 +162,55 @@ TEST_F(SlurmCluster, GetsAStudyWhoseFirstRunIsRefused) {
         run({"sweep", case_file(), "--out", out("study"), "--vary", "end=-1,0.01", "--submit", "slurm"});
     EXPECT_EQ(ending.code, 0) << ending.err;
     EXPECT_THAT(ending.out, AllOf(HasSubstr("the first is refused"), HasSubstr("jobs 41,42")));
+}
+
+TEST_F(SlurmStudy, AnEnsembleIsAStudyWhoseTablesAreThoseOfMembersThatRanHere) {
+    const std::string spread = case_text() + "\n[[spread]]\nkey = \"end\"\nlow = 0.005\nhigh = 0.02\n";
+    const std::string file = write_case("spread.toml", spread);
+    const auto ensemble = [&](const std::string& place, const std::vector<std::string>& more) {
+        std::vector<std::string> words{"run", file, "--ensemble", "3", "--quiet", "--out", out(place)};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words).code;
+    };
+    ASSERT_EQ(ensemble("one", {"--jobs", "1"}), 0);
+    ASSERT_EQ(ensemble("beside", {"--jobs", "2"}), 0);
+    ASSERT_EQ(ensemble("cluster", {"--submit", "slurm", "--script-only"}), 0);
+    EXPECT_THAT(text_of(in("cluster", "slurm_submit.sh")), HasSubstr("--array=1-3 "));
+    EXPECT_EQ(run({"sweep", "--out", out("cluster"), "--gather"}).code, 1);
+    for (const char* number : {"2", "3", "1"}) {
+        EXPECT_EQ(run({"sweep", "--out", out("cluster"), "--point", number, "--quiet"}).code, 0);
+    }
+    EXPECT_EQ(run({"sweep", "--out", out("cluster"), "--gather"}).code, 0);
+    for (const char* place : {"beside", "cluster"}) {
+        for (const char* table : {"ensemble.csv", "bands.csv"}) {
+            EXPECT_EQ(text_of(in(place, table)), text_of(in("one", table))) << place << '/' << table;
+        }
+        for (const char* member : {"member-1", "member-2", "member-3"}) {
+            EXPECT_EQ(summary_of(std::string(place) + '/' + member).at("state_hash"),
+                      summary_of(std::string("one/") + member).at("state_hash"));
+        }
+        EXPECT_THAT(text_of(in(place, "index.html")), HasSubstr("member-3"));
+    }
+}
+
+TEST_F(SlurmStudy, AnEnsembleTakesNoFolderOfAStudyNorAStudyThatOfAnEnsemble) {
+    ASSERT_EQ(plan().code, 0);
+    const std::string file =
+        write_case("spread.toml", case_text() + "\n[[spread]]\nkey = \"end\"\nlow = 0.005\nhigh = 0.02\n");
+    EXPECT_EQ(run({"run", file, "--ensemble", "2", "--quiet", "--out", out("study")}).code, 5);
+    ASSERT_EQ(run({"run", file, "--ensemble", "2", "--quiet", "--out", out("members")}).code, 0);
+    EXPECT_EQ(run({"sweep", file, "--vary", "end=0.01", "--quiet", "--out", out("members")}).code, 5);
+    EXPECT_EQ(run({"run", file, "--jobs", "2", "--out", out("other")}).code, 2);
+    EXPECT_EQ(run({"run", file, "--submit", "slurm", "--out", out("other")}).code, 2);
+}
+
+TEST_F(SlurmStudy, APlanSaysWhatItWouldTakeAndWritesNothing) {
+    const Ending ending = run({"sweep", case_file(), "--vary", "end=0.005,0.01", "--out", out("later"), "--plan"});
+    EXPECT_EQ(ending.code, 0) << ending.err;
+    EXPECT_THAT(ending.out, AllOf(HasSubstr("run_002  end=0.01"), HasSubstr("2 runs; by its first steps run_001 takes"),
+                                  HasSubstr("run at a time")));
+    EXPECT_FALSE(std::filesystem::exists(out("later")));
+    EXPECT_EQ(run({"sweep", case_file(), "--vary", "end=1", "--plan", "--submit", "slurm"}).code, 2);
 }
 
 /// Speaks to a task as Slurm does, with a run that obeys or is at its end in place of the program.

@@ -36,7 +36,7 @@ Booked break_dam(const Settings& settings) {
         const double after = volume_of(dam.settings, dam.state);
         booked.miss = std::max(booked.miss, std::abs(dam.report.volume.sum() - (after - volume)));
         booked.most_torn = std::max({booked.most_torn, dam.report.volume.tearing, dam.report.volume.walls});
-        booked.volume = booked.volume + dam.report.volume;
+        parallel::JoinBy<parallel::AddRounded>{}.add(booked.volume, dam.report.volume);
         booked.by_diffusion += dam.report.by_density.diffusion;
         volume = after;
     }

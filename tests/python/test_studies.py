@@ -3,7 +3,9 @@
 import concurrent.futures
 import inspect
 import json
+import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import types
@@ -55,6 +57,37 @@ class Studies(unittest.TestCase):
                 runs = riprap.sweep("hello_block", {"end": [0.01, "never"]}, folder, map=way)
                 self.assertEqual(runs[0]["run"].status, "finished", runs[0]["error"])
                 self.assertIn("never", runs[1]["error"])
+
+    def test_an_ensemble_has_the_members_and_bands_of_the_command_line(self):
+        text = riprap.load("hello_block", overrides={"end": 0.02}).text + (
+            '\n[[spread]]\nkey = "material.rock.friction_angle_deg"\nlow = 10\nhigh = 25\n')
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder)
+            (place / "case.toml").write_text(text)
+            case = riprap.load(place / "case.toml", overrides={"end": 0.02})
+            study = riprap.ensemble(case, 3, place / "here", map=map)
+            self.assertEqual([one["error"] for one in study], ["", "", ""])
+            self.assertEqual(len({one["set"]["material.rock.friction_angle_deg"] for one in study}), 3)
+            subprocess.run([os.environ["RIPRAP_PROGRAM"], "run", str(place / "case.toml"), "--set", "end=0.02", "--ensemble", "3",
+                            "--quiet", "--out", str(place / "there")], check=True)
+            for table in ("ensemble.csv", "bands.csv"):
+                self.assertEqual((place / "here" / table).read_text(), (place / "there" / table).read_text())
+            for k, one in enumerate(study, 1):
+                self.assertEqual(one["run"].summary["state_hash"], riprap.open(place / "there" / f"member-{k}").summary["state_hash"])
+            self.assertIn("member-3", (place / "here" / "index.html").read_text())
+        with self.assertRaisesRegex(ValueError, "spread"), tempfile.TemporaryDirectory() as folder:
+            riprap.ensemble("hello_block", 2, folder)
+
+    def test_a_study_runs_on_dask_where_it_is_installed(self):
+        try:
+            import distributed
+        except ImportError:
+            self.skipTest("distributed is not installed")
+        with tempfile.TemporaryDirectory() as folder, \
+                distributed.Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
+            runs = riprap.sweep("hello_block", {"end": [0.01, "never", 0.02]}, folder, map=client.map)
+            self.assertEqual([one["run"].status if one["run"] else "" for one in runs], ["finished", "", "finished"])
+            self.assertIn("never", runs[1]["error"])
 
     def test_a_machine_that_is_lost_is_the_error_of_its_run_alone(self):
         class Lost:
@@ -127,7 +160,7 @@ class Studies(unittest.TestCase):
             self.assertTrue(run._repr_html_().startswith("<iframe srcdoc="))
 
     def test_everything_that_editors_see_has_types(self):
-        seen = [riprap.open, riprap.sweep]
+        seen = [riprap.open, riprap.sweep, riprap.ensemble]
         for kind in (riprap.Frame, riprap.Run, riprap.Table):
             for name, member in vars(kind).items():
                 member = member.fget if isinstance(member, property) else member

@@ -261,6 +261,10 @@ std::vector<Ending> endings() {
          plane + "end = 0.3\n" + rock("1e7") +
              water("sph", "{ low = [0, 0], high = [0.3, 0.9] }", "sound_speed = 3.0") + tank(),
          "fluid.sound_speed = "},
+        {"made_energy", "a lid of wcmps that leaves a gap of a spacing to the walls: no step helps",
+         plane + "end = 0.28\n" + rock("1e7") + water("wcmps", "{ low = [0, 0], high = [1, 0.5] }", "", wide) +
+             tank(0.3) + body("lid", "box = [0.9, 0.2]", "position = [0.5, 0.600001]\ndensity = 300"),
+         "fluid.spacing = "},
         {"ledger", "a step far above its bound",
          gravity + "end = 0.3\ntime_step = 0.147\nforce_time_step = true\n" + rock("1e7") + ground + falling_cube(),
          "time_step = \"auto\""},

@@ -203,7 +203,7 @@ std::string answer(const std::string& word) {
     const std::string speed = word == "noise" ? "0.2" : "0.1";
     std::string text = falling("{ cube = 0.1 }\nvelocity = [0.1, 0, " + speed + "]\nposition = [-1, 0, -2e-4]");
     for (const std::string axis : {"x", "z"}) {
-        text += "[[expect]]\nname = \"it\"\nquantity = \"block.position." + axis +
+        text += "[[expect]]\nname = \"" + axis + "\"\nquantity = \"block.position." + axis +
                 "\"\nlow = -1\nhigh = 1\ncitation = \"none\"\nreduce = \"" + word + "\"\n" +
                 (more.contains(word) ? more.at(word) : "");
     }

@@ -205,7 +205,10 @@ constexpr std::array causes{
              "spacings.",
              "thicker walls, a smaller `fluid.spacing`, or less force", as_the_method_says},
     EndCause{"made_energy", "the numerics made", "The energy of the water grows out of nothing.",
-             "`fluid.sound_speed` where water is pressed together, else a smaller `fluid.courant`", made_advice},
+             "`fluid.sound_speed` where water is pressed together, a smaller `fluid.spacing` where bodies leave a gap "
+             "of one "
+             "row of particles, else a smaller `fluid.courant`",
+             made_advice},
     EndCause{"ledger", "the energy ledger misses", "The energy of the scene does not add up.",
              "what made it: the stiffness of a contact that is deep, `solid.youngs_modulus` of blocks that are "
              "strained far, "

@@ -3,235 +3,28 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <utility>
+#include <string>
+#include <vector>
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/printable.hpp"
-#include "riprap/io/atomic_file.hpp"
-#include "riprap/io/csv_reader.hpp"
-#include "riprap/run/member_table.hpp"
+#include "riprap/run/ensemble/members.hpp"
 #include "riprap/run/run_folder.hpp"
-#include "riprap/run/spreads.hpp"
-#include "riprap/run/sweep.hpp"
-#include "riprap/scene/assemble/check_spreads.hpp"
+#include "riprap/run/sweep_plan.hpp"
+#include "riprap/run/sweep_processes.hpp"
 
 namespace riprap::run {
 
 namespace {
 
-using Json = nlohmann::json;
-
-std::uint64_t seed_of_case(const scene::LoadedCase& loaded) {
-    return Json::parse(loaded.resolved_json).value("seed", std::uint64_t{1});
-}
-
-/// Value of a column at a time, by the straight line; NaN outside of the record.
-double value_at(const io::CsvTable& table, std::size_t column, double time) {
-    const std::vector<double>&t = table.values[0], &y = table.values[column];
-    const double slack = 1e-9 * (1 + std::abs(time));
-    if (t.empty() || time < t.front() - slack || time > t.back() + slack) {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-    const auto after = at(std::lower_bound(t.begin(), t.end(), time) - t.begin());
-    if (after == 0 || after == t.size()) {
-        return after == 0 ? y.front() : y.back();
-    }
-    const double share = (time - t[after - 1]) / (t[after] - t[after - 1]);
-    return y[after - 1] + share * (y[after] - y[after - 1]);
-}
-
-Band band_of(const std::vector<io::CsvTable>& tables, std::size_t column, const std::vector<double>& time) {
-    Band band{tables[0].columns[column], {}, {}, {}};
-    for (const double t : time) {
-        double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
-        int count = 0;
-        for (const io::CsvTable& table : tables) {
-            const double value = value_at(table, column, t);
-            if (!std::isnan(value)) {
-                low = std::min(low, value);
-                high = std::max(high, value);
-                sum += value;
-                ++count;
-            }
-        }
-        const double none = std::numeric_limits<double>::quiet_NaN();
-        band.low.push_back(count > 0 ? low : none);
-        band.mean.push_back(count > 0 ? sum / count : none);
-        band.high.push_back(count > 0 ? high : none);
-    }
-    return band;
-}
-
-struct Member {
-    std::vector<double> values;
-    int code{0};
+/// An ensemble that is about to run.
+struct Ensemble {
+    SweepOptions study;
+    Members members;
+    bool has_expects;
 };
-
-void write_members(const std::filesystem::path& path, std::uint64_t seed, const std::vector<Spread>& spreads,
-                   const std::vector<Member>& members) {
-    std::vector<io::CsvColumn> columns{{"member", "-"}, {"seed", "-"}, {"exit_code", "-"}};
-    for (const Spread& spread : spreads) {
-        columns.push_back({spread.key, "SI"});
-    }
-    std::string text = io::csv_heading(columns) + '\n';
-    for (std::size_t k = 0; k < members.size(); ++k) {
-        std::vector<double> row{static_cast<double>(k + 1), static_cast<double>(seed),
-                                static_cast<double>(members[k].code)};
-        row.insert(row.end(), members[k].values.begin(), members[k].values.end());
-        text += io::csv_row(row) + '\n';
-    }
-    io::write_file(path, text);
-}
-
-/// The headings of a table as a text that can be compared.
-std::string headings_of(const io::CsvTable& table) { return io::csv_heading(table.columns); }
-
-/// The headings that most of the tables have.
-std::string usual_headings(const std::vector<io::CsvTable>& tables) {
-    std::map<std::string, int> counts;
-    for (const io::CsvTable& table : tables) {
-        ++counts[headings_of(table)];
-    }
-    return std::max_element(counts.begin(), counts.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; })
-        ->first;
-}
-
-}  // namespace
-
-Bands gather_bands(const std::vector<std::filesystem::path>& members) {
-    std::vector<io::CsvTable> tables;
-    std::vector<std::string> names;
-    Bands bands;
-    const auto leave_out = [&bands](const std::string& name, const std::string& why) {
-        bands.left_out.push_back(fmt::format("{} is left out of the bands: {}", name, why));
-    };
-    for (const std::filesystem::path& member : members) {
-        const RunFolder folder{member};
-        if (!std::filesystem::exists(folder.probes()) && status_of(folder) != "finished") {
-            continue;
-        }
-        try {
-            io::CsvTable table = read_probes(folder);
-            if (table.row_count() > 0) {
-                tables.push_back(std::move(table));
-                names.push_back(member.filename().string());
-            }
-        } catch (const FileError& error) {
-            leave_out(member.filename().string(), error.what());
-        }
-    }
-    if (tables.empty()) {
-        return bands;
-    }
-    const std::string usual = usual_headings(tables);
-    for (std::size_t i = tables.size(); i-- > 0;) {
-        if (headings_of(tables[i]) != usual) {
-            leave_out(names[i], "its probes.csv has other columns than those of the other members");
-            tables.erase(tables.begin() + static_cast<std::ptrdiff_t>(i));
-        }
-    }
-    bands.time = tables[0].values[0];
-    for (std::size_t c = 1; c < tables[0].columns.size(); ++c) {
-        bands.bands.push_back(band_of(tables, c, bands.time));
-    }
-    return bands;
-}
-
-void write_bands(const std::filesystem::path& path, const Bands& bands) {
-    std::vector<io::CsvColumn> columns{{"time", "s"}};
-    for (const Band& band : bands.bands) {
-        for (const char* part : {"low", "mean", "high"}) {
-            columns.push_back({band.column.name + '.' + part, band.column.unit});
-        }
-    }
-    std::string text = io::csv_heading(columns) + '\n';
-    for (std::size_t i = 0; i < bands.time.size(); ++i) {
-        std::vector<double> row{bands.time[i]};
-        for (const Band& band : bands.bands) {
-            row.insert(row.end(), {band.low[i], band.mean[i], band.high[i]});
-        }
-        text += io::csv_row(row) + '\n';
-    }
-    io::write_file(path, text);
-}
-
-namespace {
-
-std::string assignment(const Spread& spread, double value) { return fmt::format("{}={}", spread.key, value); }
-
-/// The case of a member as overrides.
-std::vector<std::string> overrides_of(const std::vector<Spread>& spreads, const std::vector<double>& values) {
-    std::vector<std::string> overrides;
-    for (std::size_t i = 0; i < spreads.size(); ++i) {
-        overrides.push_back(assignment(spreads[i], values[i]));
-    }
-    return overrides;
-}
-
-/// Why the values that a member draws are not allowed by their keys; nothing where they are.
-std::optional<Diagnostic> refusal_of(const EnsembleOptions& options, const scene::LoadedCase& loaded,
-                                     const std::vector<std::string>& drawn) {
-    std::vector<std::string> overrides = options.run.overrides;
-    overrides.insert(overrides.end(), drawn.begin(), drawn.end());
-    std::vector<Diagnostic> problems = scene::problems_of_keys(loaded.source_text, options.run.case_path, overrides);
-    if (problems.empty()) {
-        return std::nullopt;
-    }
-    problems.front().allowed += "; a narrower [[spread]]";
-    return std::move(problems.front());
-}
-
-/// Text of what an ensemble asks for, but for the number of members; the same text means that it may be continued.
-std::string plan_of(const EnsembleOptions& options, std::uint64_t seed, const std::vector<Spread>& spreads) {
-    Json rows = Json::array();
-    for (const Spread& spread : spreads) {
-        rows.push_back({{"key", spread.key},
-                        {"of", spread.is_normal ? Json{{"mean", spread.mean}, {"deviation", spread.deviation}}
-                                                : Json{{"low", spread.low}, {"high", spread.high}}}});
-    }
-    const Json plan{{"case", std::filesystem::absolute(options.run.case_path).lexically_normal().string()},
-                    {"set", options.run.overrides},
-                    {"seed", seed},
-                    {"spread", rows}};
-    return plan.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
-/// Takes the folder of an ensemble. Without a plan in it every file under the name of one of ours is the user's.
-void claim_ensemble(const EnsembleOptions& options, const std::string& plan) {
-    namespace fs = std::filesystem;
-    constexpr std::size_t most = std::size_t{16} << 20U;
-    const fs::path& out = options.run.out;
-    const fs::path file = out / "ensemble_plan.json";
-    std::error_code error;
-    if (fs::exists(file, error)) {
-        if (io::read_file(file, most) == plan) {
-            return;
-        }
-        if (!options.run.force) {
-            throw FileError(
-                fmt::format("'{}' holds another ensemble; --force replaces it, --out writes elsewhere", out.string()));
-        }
-    } else {
-        for (const char* name : {"ensemble.csv", "ensemble.json", "bands.csv", "bands.svg", "index.html"}) {
-            if (fs::exists(fs::symlink_status(out / name, error))) {
-                throw FileError(
-                    fmt::format("'{}' is in the way, and no ensemble wrote it: the folder has no "
-                                "ensemble_plan.json; move it away, or choose another folder with --out",
-                                (out / name).string()));
-            }
-        }
-    }
-    io::make_folder(out);
-    io::write_file(file, plan);
-}
 
 /// Tells why a member is not run, on the line where it would have been announced.
 void tell_refusal(const EnsembleOptions& options, std::int64_t member, const std::string& text) {
@@ -240,7 +33,23 @@ void tell_refusal(const EnsembleOptions& options, std::int64_t member, const std
     }
 }
 
-/// Runs one member. A refusal is told and becomes its exit code.
+/// Draws the members and takes the folder. Those whose keys refuse them are told before the first one runs.
+Ensemble begin(const EnsembleOptions& options) {
+    const scene::LoadedCase loaded = scene::read_case(options.run.case_path, options.run.overrides);
+    Ensemble ensemble{
+        {options.run.case_path, {}, options.run.overrides, options.run.out}, {}, !loaded.model.expects.empty()};
+    ensemble.study.jobs = options.jobs;
+    ensemble.study.threads = options.run.threads;
+    ensemble.study.quiet = options.run.quiet;
+    for (const RefusedMember& refused : draw_members(loaded, options.members, ensemble.study, ensemble.members)) {
+        tell_refusal(options, refused.number, to_string(refused.problem));
+    }
+    claim_ensemble(ensemble.study, ensemble.members, options.run.force);
+    write_plan(ensemble.study);
+    return ensemble;
+}
+
+/// Runs one member in this process. A refusal is told and becomes its exit code.
 int run_member(const EnsembleOptions& options, std::int64_t member, const RunOptions& run) {
     try {
         return run_case(run);
@@ -258,43 +67,79 @@ int run_member(const EnsembleOptions& options, std::int64_t member, const RunOpt
     }
 }
 
-/// The members with what they draw, none run yet. Those whose keys do not allow it are told before the first one runs.
-/// @throws CaseError where that are all of them
-std::vector<Member> draw_members(const EnsembleOptions& options, const scene::LoadedCase& loaded,
-                                 const std::vector<Spread>& spreads, std::uint64_t seed) {
-    std::vector<Member> members(static_cast<std::size_t>(options.members));
-    std::vector<std::pair<std::int64_t, Diagnostic>> refused;
+bool is_signal(double code) { return code > static_cast<double>(ExitCode::signal_base); }
+
+/// Runs the members one after another. Stops after one that a signal ends.
+void run_here(const EnsembleOptions& options, Ensemble& ensemble) {
     for (std::int64_t k = 1; k <= options.members; ++k) {
-        Member& member = members[at(k - 1)];
-        for (const Spread& spread : spreads) {
-            member.values.push_back(draw(spread, seed, k));
+        Member& member = ensemble.members.list[at(k - 1)];
+        const SweepPoint& point = ensemble.study.points[at(k - 1)];
+        RunOptions run = options.run;
+        run.overrides.insert(run.overrides.end(), point.overrides.begin(), point.overrides.end());
+        run.out = options.run.out / point.name;
+        run.resume = !run.force;
+        run.quiet = true;
+        if (std::isnan(member.code)) {
+            if (!options.run.quiet || ensemble.has_expects) {  // above its verdicts
+                fmt::print("member {} of {}: {}\n", k, options.members, run.out.string());
+            }
+            member.code = run_member(options, k, run);
         }
-        if (std::optional<Diagnostic> problem = refusal_of(options, loaded, overrides_of(spreads, member.values))) {
-            member.code = static_cast<int>(ExitCode::bad_case);
-            refused.emplace_back(k, std::move(*problem));
+        write_members(ensemble.study, ensemble.members);
+        if (is_signal(member.code)) {
+            return;
         }
     }
-    if (std::ssize(refused) == options.members) {
-        Diagnostic problem = refused.front().second;
-        problem.message =
-            fmt::format("all {} members are refused, the first for: {}", options.members, problem.message);
-        throw CaseError(std::move(problem));
-    }
-    for (const auto& [k, problem] : refused) {
-        tell_refusal(options, k, to_string(problem));
-    }
-    return members;
 }
 
-/// Writes the bands of all members that ran, and tells of the others.
-int finish_ensemble(const EnsembleOptions& options, const std::vector<std::filesystem::path>& folders, int worst) {
+/// Runs the members as processes, several at a time. @returns the signal that stopped them, 0 = none
+int run_beside(const EnsembleOptions& options, Ensemble& ensemble) {
+    SweepOptions allowed = ensemble.study;
+    allowed.points.clear();
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < ensemble.study.points.size(); ++k) {
+        if (std::isnan(ensemble.members.list[k].code)) {
+            allowed.points.push_back(ensemble.study.points[k]);
+            numbers.push_back(k);
+        }
+    }
+    const int code = run_processes(allowed, options.jobs, options.run.force, [&](const SweepPoint& point, int ended) {
+        const auto index = static_cast<std::size_t>(&point - allowed.points.data());
+        ensemble.members.list[numbers[index]].code = ended;
+        write_members(ensemble.study, ensemble.members);
+    });
+    for (std::size_t k = 0; k < ensemble.study.points.size(); ++k) {
+        if (double& known = ensemble.members.list[k].code; std::isnan(known)) {  // finished before
+            known = ended_code(RunFolder{ensemble.study.out / ensemble.study.points[k].name});
+        }
+    }
+    return is_signal(code) ? code : 0;
+}
+
+/// Writes the bands of all members that ran, and tells of those that cannot be read.
+int finish(const SweepOptions& study, bool is_silent) {
+    std::vector<std::filesystem::path> folders;
+    for (const SweepPoint& point : study.points) {
+        folders.push_back(study.out / point.name);
+    }
     const Bands bands = gather_bands(folders);
-    write_bands(options.run.out / "bands.csv", bands);
+    write_bands(study.out / "bands.csv", bands);
     for (const std::string& text : bands.left_out) {
-        if (!options.run.silent) {
+        if (!is_silent) {
             fmt::print(stderr, "riprap: {}\n", printable(text));
         }
-        worst = worst == 0 ? static_cast<int>(ExitCode::file_system) : worst;
+    }
+    return static_cast<int>(bands.left_out.empty() ? ExitCode::success : ExitCode::file_system);
+}
+
+/// The first exit code that is not zero; a signal comes before all.
+int worst_of(const Members& members) {
+    int worst = 0;
+    for (const Member& member : members.list) {
+        if (is_signal(member.code)) {
+            return static_cast<int>(member.code);
+        }
+        worst = worst == 0 && !std::isnan(member.code) ? static_cast<int>(member.code) : worst;
     }
     return worst;
 }
@@ -302,45 +147,33 @@ int finish_ensemble(const EnsembleOptions& options, const std::vector<std::files
 }  // namespace
 
 int run_ensemble(const EnsembleOptions& options) {
-    const scene::LoadedCase first = scene::read_case(options.run.case_path, options.run.overrides);
-    const std::vector<Spread> spreads = spreads_of(first);
-    if (spreads.empty()) {
-        Diagnostic problem;
-        problem.place = {options.run.case_path, 1, 1};
-        problem.message = "an ensemble needs numbers that differ from member to member";
-        problem.allowed = "[[spread]] with key, low and high";
-        throw CaseError(std::move(problem));
+    Ensemble ensemble = begin(options);
+    int signal = 0;
+    if (options.jobs > 1) {
+        signal = run_beside(options, ensemble);
+        write_members(ensemble.study, ensemble.members);
+    } else {
+        run_here(options, ensemble);
     }
-    const std::uint64_t seed = seed_of_case(first);
-    std::vector<Member> members = draw_members(options, first, spreads, seed);
-    claim_ensemble(options, plan_of(options, seed, spreads));
-    std::vector<std::filesystem::path> folders;
-    SweepOptions study{options.run.case_path, {}, options.run.overrides, options.run.out};
-    int worst = 0;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-        const auto number = static_cast<std::int64_t>(k) + 1;
-        const SweepPoint& point = study.points.emplace_back(
-            SweepPoint{fmt::format("member-{}", number), overrides_of(spreads, members[k].values)});
-        RunOptions run = options.run;
-        run.overrides.insert(run.overrides.end(), point.overrides.begin(), point.overrides.end());
-        run.out = options.run.out / point.name;
-        run.resume = !run.force;
-        run.quiet = true;
-        if (members[k].code == 0) {
-            if (!options.run.quiet || !first.model.expects.empty()) {  // above its verdicts
-                fmt::print("member {} of {}: {}\n", number, options.members, run.out.string());
-            }
-            members[k].code = run_member(options, number, run);
-            folders.push_back(run.out);
-        }
-        write_members(options.run.out / "ensemble.csv", seed, spreads, {members.begin(), members.begin() + number});
-        io::write_file(options.run.out / "ensemble.json", sweep_json(study));
-        worst = worst == 0 ? members[k].code : worst;
-        if (members[k].code > static_cast<int>(ExitCode::signal_base)) {
-            return members[k].code;
-        }
+    const int worst = signal != 0 ? signal : worst_of(ensemble.members);
+    if (is_signal(worst)) {
+        return worst;
     }
-    return finish_ensemble(options, folders, worst);
+    const int finished = finish(ensemble.study, options.run.silent);
+    return worst != 0 ? worst : finished;
+}
+
+SlurmScripts write_ensemble_scripts(const EnsembleOptions& options, const SlurmOptions& slurm) {
+    return write_slurm_scripts(begin(options).study, slurm);
+}
+
+int gather_ensemble(const std::filesystem::path& out, bool is_quiet) {
+    SweepOptions study = read_plan(out);
+    study.quiet = is_quiet;
+    const Members members = read_members(study);
+    write_members(study, members);
+    const int unread = finish(study, false), unfinished = tell_unfinished(study, sweep_json(study));
+    return unread != 0 ? unread : unfinished;
 }
 
 }  // namespace riprap::run

@@ -9,6 +9,7 @@
 
 #include "riprap/run/contact_need.hpp"
 #include "riprap/run/remedy_text.hpp"
+#include "riprap/scene/warnings/narrow_gaps.hpp"
 #include "riprap/sim/method_traits.hpp"
 #include "riprap/sim/settings.hpp"
 
@@ -108,8 +109,33 @@ std::string shorter_step(const Refused& refused) {
                            : assignment_below("time_step_factor", shorter * model.time.factor);
 }
 
+namespace {
+
+/// Returns the spacing with which two rows of particles fit into the narrowest gap between bodies; empty where there is
+/// no gap of half a spacing to two, in which single particles are caught and thrown about whatever the step.
+std::string two_rows_in_gaps(const Refused& refused) {
+    constexpr double least = 0.5;  // spacings: a narrower gap would take more than 16 times the particles
+    if (refused.model.particles() == nullptr) {
+        return "";
+    }
+    const scene::NarrowGaps gaps = scene::find_narrow_gaps(refused.model, refused.before);
+    if (gaps.pairs == 0 || gaps.narrowest < least) {
+        return "";
+    }
+    const body::BodySet& bodies = refused.model.bodies;
+    return fmt::format("{} fits two rows of particles into the gap between '{}' and '{}'",
+                       assignment_below("fluid.spacing", 0.5 * gaps.narrowest * sim::fluid_spacing(refused.model)),
+                       bodies.name(gaps.a), bodies.name(gaps.b));
+}
+
+}  // namespace
+
 std::string made_advice(const Refused& refused) {
-    return is_compressed(refused) ? faster_sound(refused) : shorter_water_step(refused);
+    if (is_compressed(refused)) {
+        return faster_sound(refused);
+    }
+    const std::string finer = two_rows_in_gaps(refused);
+    return finer.empty() ? shorter_water_step(refused) : finer;
 }
 
 std::string ledger_advice(const Refused& refused) {

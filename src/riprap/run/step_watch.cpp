@@ -97,13 +97,14 @@ std::vector<std::string> StepWatch::totals(const StepCounts& counts, std::int64_
         lines.push_back(fmt::format("{} particle{} of water went through walls", counts.through_walls,
                                     counts.through_walls == 1 ? "" : "s"));
     }
-    if (counts.renewals > 0) {
-        // The model is that of docs/theory/sph.md, 12.
-        const double n = counts.sound_steps(steps);
+    if (const double n = counts.sound_steps(steps); n > 1) {
+        // Both laws are those of docs/theory/sph.md, 12.
         lines.push_back(
-            fmt::format("{:.2f} sound steps to a flow step in the mean, so {:.2f} passes a step by the "
-                        "model 0.85 + 2.35/n",
-                        n, 0.85 + 2.35 / n));
+            fmt::format("{:.2f} sound steps to a flow step in the mean: {:.2f} passes a step by the model "
+                        "0.85 + 2.35/n, {:.2f} by what was measured, 1.2 + 2.6/n; 2.5 with one clock",
+                        n, 0.85 + 2.35 / n, 1.2 + 2.6 / n));
+    } else if (counts.renewals > 0) {
+        lines.emplace_back("each step of sound had a geometry of its own, as with fluid.sound_steps = 1");
     }
     return lines;
 }

@@ -127,8 +127,11 @@ int tell_unreadable(const std::string& json) {
 
 int write_tables(const SweepOptions& options) { return tell_unreadable(write_both(options)); }
 
-int gather_study(const SweepOptions& options) {
-    const std::string json = write_both(options);
+void write_plan(const SweepOptions& options) { io::write_file(plan_file(options.out), plan_of(options)); }
+
+int gather_study(const SweepOptions& options) { return tell_unfinished(options, write_both(options)); }
+
+int tell_unfinished(const SweepOptions& options, const std::string& json) {
     const int code = tell_unreadable(json);
     std::size_t unfinished = 0;
     const Json study = Json::parse(json);

@@ -12,6 +12,9 @@ namespace riprap::run {
 /// be read
 void claim_study(const SweepOptions& options);
 
+/// Writes sweep_plan.json into a folder that is ours already.
+void write_plan(const SweepOptions& options);
+
 /// Reads the plan in a folder: case, runs and what is set in all of them. @throws FileError where there is none
 SweepOptions read_plan(const std::filesystem::path& out);
 
@@ -25,5 +28,9 @@ int write_tables(const SweepOptions& options);
 /// Writes the tables of a study whose runs other processes made, and names those that are not finished.
 /// @returns the exit code: 1 where a run is not finished or an expected answer was missed
 int gather_study(const SweepOptions& options);
+
+/// Names the runs of a sweep.json that cannot be read or are not finished, and says how many are.
+/// @returns the exit code, as gather_study
+int tell_unfinished(const SweepOptions& options, const std::string& json);
 
 }  // namespace riprap::run

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The runs of a study as processes.
+#include "riprap/run/sweep_processes.hpp"
+
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -16,9 +18,9 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/io/own_file.hpp"
+#include "riprap/run/progress.hpp"
 #include "riprap/run/run_folder.hpp"
 #include "riprap/run/signals.hpp"
-#include "riprap/run/sweep.hpp"
 #include "riprap/run/sweep_plan.hpp"
 
 namespace riprap::run {
@@ -26,7 +28,7 @@ namespace riprap::run {
 namespace {
 
 /// The words of the command that runs one point.
-std::vector<std::string> command_of(const SweepOptions& options, const SweepPoint& point) {
+std::vector<std::string> command_of(const SweepOptions& options, const SweepPoint& point, bool force) {
     std::vector<std::string> words{"riprap",
                                    "run",
                                    options.case_path,
@@ -34,7 +36,7 @@ std::vector<std::string> command_of(const SweepOptions& options, const SweepPoin
                                    (options.out / point.name).string(),
                                    "--threads",
                                    std::to_string(std::max(1, options.threads)),
-                                   "--resume"};
+                                   force ? "--force" : "--resume"};
     for (const auto* list : {&options.overrides, &point.overrides}) {
         for (const std::string& text : *list) {
             words.emplace_back("--set");
@@ -91,8 +93,8 @@ class HeldSignals {
 }
 
 /// Starts `riprap run` on one point, its words going into a file beside the folder of the run.
-pid_t start(const SweepOptions& options, const SweepPoint& point) {
-    std::vector<std::string> words = command_of(options, point);
+pid_t start(const SweepOptions& options, const SweepPoint& point, bool force) {
+    std::vector<std::string> words = command_of(options, point, force);
     std::vector<char*> arguments;
     for (std::string& word : words) {
         arguments.push_back(word.data());
@@ -117,7 +119,8 @@ int exit_code_of(int status) {
 /// All runs of a study that are not finished, several at a time.
 class Crowd {
  public:
-    Crowd(const SweepOptions& options, int jobs) : options_(options), jobs_(jobs) {
+    Crowd(const SweepOptions& options, int jobs, bool force, const RunEnded& ended)
+        : options_(options), jobs_(jobs), force_(force), ended_(ended) {
         for (const SweepPoint& point : options.points) {
             waiting_.push_back(&point);
         }
@@ -167,11 +170,12 @@ class Crowd {
                 continue;
             }
             next = waiting_.erase(next);
-            if (is_finished(options_, point)) {
+            if (!force_ && is_finished(options_, point)) {
                 ++done_;
+                ++done_before_;
                 tell(point, "finished before");
             } else {
-                running_.emplace(start(options_, point), &point);
+                running_.emplace(start(options_, point, force_), &point);
             }
         }
     }
@@ -191,37 +195,62 @@ class Crowd {
 
     void finish(const SweepPoint& point, int code) {
         ++done_;
-        tell(point, code == 0   ? "finished"
-                    : code == 1 ? "finished, an expected answer was missed"
-                                : fmt::format("exit code {}, see {}.log", code, point.name));
+        tell(point,
+             code == 0   ? "finished"
+             : code == 1 ? "finished, an expected answer was missed"
+                         : fmt::format("exit code {}, see {}.log", code, point.name),
+             time_left());
         result_ = result_ == 0 ? code : result_;
+        ended_(point, code);
     }
 
-    void tell(const SweepPoint& point, const std::string& words) const {
+    /// Says how long the others take, if they take as long as those that ended; nothing after the last one.
+    std::string time_left() const {
+        using Seconds = std::chrono::duration<double>;
+        const std::size_t left = options_.points.size() - done_, ran = done_ - done_before_;
+        const double so_far = Seconds(std::chrono::steady_clock::now() - begin_).count();
+        return left == 0 || ran == 0
+                   ? ""
+                   : fmt::format(", about {} left",
+                                 duration_text(so_far / static_cast<double>(ran) * static_cast<double>(left)));
+    }
+
+    void tell(const SweepPoint& point, const std::string& words, const std::string& left = "") const {
         if (!options_.quiet) {
-            fmt::print("{:>{}}/{}  {}  {}  {}\n", done_, std::to_string(options_.points.size()).size(),
-                       options_.points.size(), point.name, fmt::join(point.overrides, " "), words);
+            fmt::print("{:>{}}/{}  {}  {}  {}{}\n", done_, std::to_string(options_.points.size()).size(),
+                       options_.points.size(), point.name, fmt::join(point.overrides, " "), words, left);
             std::fflush(stdout);
         }
     }
 
     const SweepOptions& options_;
     const int jobs_;
+    const bool force_;
+    const RunEnded& ended_;
     const StopRequest stop_;
+    const std::chrono::steady_clock::time_point begin_{std::chrono::steady_clock::now()};
     std::list<const SweepPoint*> waiting_;
     std::vector<const SweepPoint*> held_;  ///< of which it was told
     std::map<pid_t, const SweepPoint*> running_;
-    std::size_t done_{0};
+    std::size_t done_{0}, done_before_{0};
     int result_{0};
 };
 
 }  // namespace
 
+int usual_jobs(int threads) {
+    const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return std::max(1, cores / std::max(1, threads));
+}
+
+int run_processes(const SweepOptions& options, int jobs, bool force, const RunEnded& ended) {
+    return Crowd(options, jobs, force, ended).run();
+}
+
 int run_sweep(const SweepOptions& options) {
     claim_study(options);
-    const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const int jobs = options.jobs > 0 ? options.jobs : std::max(1, cores / std::max(1, options.threads));
-    const int code = Crowd(options, jobs).run();
+    const int jobs = options.jobs > 0 ? options.jobs : usual_jobs(options.threads);
+    const int code = run_processes(options, jobs, false, [](const SweepPoint&, int) {});
     const int gathered = write_tables(options);
     return code == 0 ? gathered : code;
 }
@@ -236,7 +265,7 @@ int run_point(SweepOptions options, std::size_t number) {
         throw FileError(
             fmt::format("another riprap writes into '{}'", (options.out / options.points[0].name).string()));
     }
-    return Crowd(options, 1).run();
+    return run_processes(options, 1, false, [](const SweepPoint&, int) {});
 }
 
 }  // namespace riprap::run

@@ -31,6 +31,8 @@ struct Water {
     double dissipated_viscous{0}, dissipated_diffusion{0}, shifted{0}, work_on_solids{0}, wall_exchange{0},
         work_external{0};
     Vec3 impulse{};
+    int renewals{0};             ///< of the geometry
+    bool are_walls_still{true};  ///< what a scheme with two clocks is told
 
     /// Moves walls to a time: fills position, velocity, acceleration.
     std::function<void(BoundaryParticles&, double)> move_walls;
@@ -44,8 +46,8 @@ struct Water {
 
     ParticleScheme& verbs() {
         if (scheme == nullptr) {
-            scheme =
-                settings.scheme == SphScheme::muller ? make_scheme(settings) : std::make_unique<OpenDeltaSph>(settings);
+            const bool is_open = settings.scheme != SphScheme::muller && settings.sound_steps == 1;
+            scheme = is_open ? std::make_unique<OpenDeltaSph>(settings) : make_scheme(settings);
         }
         return *scheme;
     }
@@ -69,7 +71,10 @@ struct Water {
         if (move_walls) {
             move_walls(walls, time);
         }
-        update_density(gravity, 0.5 * (last_dt + dt));
+        double since = 0.5 * (last_dt + dt);
+        const bool is_still = !move_walls && are_walls_still;
+        renewals += verbs().renew(state, walls, gravity, {time, dt}, is_still, since, report) > 0 ? 1 : 0;
+        update_density(gravity, since);
         drift(settings, state, 0.5 * dt);
         if (move_walls) {
             move_walls(walls, time + 0.5 * dt);

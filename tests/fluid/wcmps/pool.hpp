@@ -35,6 +35,9 @@ struct Pool {
     double viscous{0}, diffusion{0}, collisions{0}, shifted{0}, work_on_solids{0}, wall_exchange{0}, work_external{0};
     Vec3 impulse{};
 
+    /// Moves walls to a time: fills position, velocity, acceleration.
+    std::function<void(double)> move_walls;
+
     double stored() const { return report.kinetic + report.potential + report.internal; }
     /// Constant where every change of energy is booked [J]
     double closure() const {
@@ -65,8 +68,14 @@ struct Pool {
         }
         const double dt = std::min(verbs().limit(state).limit, dt_most);
         report = {};
+        if (move_walls) {
+            move_walls(time);
+        }
         update_density(gravity, 0.5 * (last_dt + dt));
         drift(settings, state, 0.5 * dt);
+        if (move_walls) {
+            move_walls(time + 0.5 * dt);
+        }
         accelerate(gravity, dt);
         drift(settings, state, 0.5 * dt);
         viscous += report.dissipated_viscous + report.earlier_heat;

@@ -33,7 +33,7 @@ struct VolumeBook {
         by.add(a.returned, b.returned);
         by.add(a.refused, b.refused);
     }
-    double sum() const { return flow + diffusion + tearing + walls + escape + shifting + returned; }
+    RIPRAP_HD double sum() const { return flow + diffusion + tearing + walls + escape + shifting + returned; }
 };
 
 /// Energy that leaves the compression as density is updated, by cause [J].
@@ -47,7 +47,7 @@ struct DensityLosses {
         by.add(a.escape, b.escape);
         by.add(a.returned, b.returned);
     }
-    double sum() const { return diffusion + tearing + escape + returned; }
+    RIPRAP_HD double sum() const { return diffusion + tearing + escape + returned; }
 };
 
 }  // namespace riprap::fluid

@@ -44,8 +44,9 @@ RIPRAP_HD inline double dilution_by_shift(const Vec3& shift, const Vec3& gradien
 /// @param bareness   b [-]
 /// @param strain     |S| = sqrt(2 S:S) [1/s]
 /// @param dt         [s]
+/// @param steps      sound steps in dt: the most density that is taken is that of as many [-]
 RIPRAP_HD inline Vec3 shift_of_particle(double strength, double h, const Vec3& gradient, const Vec3& towards_surface,
-                                        double bareness, double strain, double dt) {
+                                        double bareness, double strain, double dt, double steps = 1) {
     Vec3 shift = -(strength * h * h * strain * dt * (1 - bareness)) * gradient;
     const double nearness = norm(towards_surface);
     if (nearness > 0) {
@@ -57,7 +58,7 @@ RIPRAP_HD inline Vec3 shift_of_particle(double strength, double h, const Vec3& g
     // Bounds the length too: shifts go along -grad C or what is left of it, so that l^2 <= most A h^2 |S| dt/2, 0.05 dp
     // at A = 10 and |S| dt = 0.1.
     const double loss = dilution_by_shift(shift, gradient, 0);
-    constexpr double most = 0.002;  // of the density in a step, which varies by about 1 % in all
+    const double most = 0.002 * steps;  // of the density, which varies by about 1 % in all
     return (loss > most ? most / loss : 1.0) * shift;
 }
 

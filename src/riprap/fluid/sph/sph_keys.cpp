@@ -46,6 +46,12 @@ KeyList<S> particle_order_keys() {
             number(&S::shifting, "shifting", dimension::plain, between(0, 100),
                    "Strength of the shifting of particles; 0 = off.")
                 .read_with("scheme", {"delta_sph"}),
+            integer(&S::sound_steps, "sound_steps", 1, 8,
+                    "Most time steps, which are those of sound, on one geometry of neighbours, weights and slow "
+                    "forces; 1 = each has its own. No more than bring the fastest water a quarter of a smoothing "
+                    "length on; one while a wall or body may move, or water comes and goes.")
+                .read_with("scheme", {"delta_sph"})
+                .read_with("runs_on", {"host"}),
             number(&S::courant, "courant", dimension::plain, above(0, 1),
                    "Share of the time that sound needs through a smoothing length that a step may last; a warning "
                    "tells where a lattice would be unstable."),

@@ -35,6 +35,7 @@ struct SphSettings : ParticleSettings {
     double acoustic_damping{1};      ///< a of the bulk viscosity that damps sound [-]; 0 = off
     double shifting{10};             ///< A of the particle shifting [-]; 0 = off
     bool gradient_correction{true};  ///< density follows the divergence inside the water
+    std::int64_t sound_steps{1};     ///< most of them on one geometry (docs/theory/sph.md, 12)
 
     static void complete(SphSettings& settings) {
         if (settings.scheme == SphScheme::muller) {

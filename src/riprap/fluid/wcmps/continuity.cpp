@@ -33,25 +33,6 @@ double after_tearing(const MpsLattice& lattice, double crowding, double neighbou
     return is_bare ? std::max(1.0, concentration) : concentration;
 }
 
-/// s: ratio of what C lacks to |sum W d/r|/n_0 in the second row of water under a flat surface, so that
-/// C + s |sum W d/r|/n_0 is 1 there [-].
-double surface_slope(const WcmpsSettings& settings) {
-    const int reach = static_cast<int>(std::ceil(settings.support_ratio())),
-              reach_z = settings.domain.dimension == 3 ? reach : 0;
-    double lacking = 0, outward = 0;
-    for (int up = 2; up <= reach; ++up) {
-        for (int x = -reach; x <= reach; ++x) {
-            for (int z = -reach_z; z <= reach_z; ++z) {
-                const double r = std::sqrt(up * up + x * x + z * z);
-                const double weight = lattice_weight(settings.weight_law, settings.support_ratio(), r);
-                lacking += weight;
-                outward += weight * up / r;
-            }
-        }
-    }
-    return outward > 0 ? lacking / outward : 1;
-}
-
 /// s of damp_sound, from C of the water and of walls that stand still.
 double damped_share(double standing) {
     return std::clamp((standing - damped_from) / (damped_whole - damped_from), 0.0, 1.0);
@@ -97,23 +78,25 @@ WcmpsDensitySums Wcmps::sum_continuity(const ParticleState& state, const Boundar
     const WcmpsDensitySums s = lend_wcmps_density_sums(stage_);
     continuity_.rate.resize(count);
     continuity_.neighbours.resize(count);
+    const EvenCount even(settings_.support_radius(), settings_.weight_law);
     const Vec3 head = settings_.diffuses_hydrostatic ? Vec3{} : settings_.rest_density * gravity;
     add_pair_sums_within(
-        settings_, NumberContinuity{weight_, {head.x, head.y, head.z}},
+        settings_, NumberContinuity{weight_, even, {head.x, head.y, head.z}},
         side(state.position, state.velocity, water_.pressure, water_.concentration),
-        fresh(sinks(continuity_.rate, s.diffusion, s.weight, continuity_.neighbours, s.outward, s.stir)),
+        fresh(sinks(continuity_.rate, s.diffusion, s.weight, continuity_.neighbours, s.outward, s.stir, s.even)),
         lists_.fluid_fluid);
     parallel::for_each(state.blocks(), [&](std::int64_t entry) {
         const auto i = static_cast<std::size_t>(entry);
         s.standing.set(i, s.weight[i]);
     });
     share_openings(state, walls);
-    add_pair_sums(
-        settings_, NumberContinuityAtWalls{weight_}, side(state.position, state.velocity, water_.concentration),
-        side(walls.position, walls.velocity, walls_.share, walls_.mirrors, walls_.openings.share, walls_.stands_still,
-             walls_.openings.slip),
-        joined(sinks(continuity_.rate, s.weight, continuity_.neighbours, s.outward, s.standing), fresh(sinks(s.slip))),
-        lists_.fluid_walls);
+    add_pair_sums(settings_, NumberContinuityAtWalls{weight_, even},
+                  side(state.position, state.velocity, water_.concentration),
+                  side(walls.position, walls.velocity, walls_.share, walls_.mirrors, walls_.openings.share,
+                       walls_.stands_still, walls_.openings.slip),
+                  joined(sinks(continuity_.rate, s.weight, continuity_.neighbours, s.outward, s.standing),
+                         fresh(sinks(s.slip)), sinks(s.even)),
+                  lists_.fluid_walls);
     return s;
 }
 
@@ -183,7 +166,8 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
     find_wall_shares(walls);
     const WcmpsDensitySums s = sum_continuity(state, walls, pull);
     report.shifted = finish_shift(state, pull);
-    const double slope = surface_slope(settings_) / lattice_.number_density;
+    const EvenLattice even_all =
+        even_lattice(settings_.weight_law, settings_.support_ratio(), settings_.domain.dimension);
     const double rate = dt * volume_return / settings_.spacing;
     // c_0^2 dt of the source with dt of the Courant number, so that what else shortens a step changes nothing
     const double diffusivity =
@@ -215,7 +199,8 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
         const double heat = per_density * resistance * state.dilution[i] * (squeezed - made.slip[i]);
         state.dilution[i] = 0;
         const double crowding = made.crowding[i];
-        const double closer = flown + returned * (crowding + slope * length - before);
+        const double even_crowding = s.even[i] / even_all.full + even_all.lack(length / lattice_.number_density);
+        const double closer = flown + returned * (even_crowding - before);
         const double bound = crowding > wcmps::surface_limit ? closer : std::max(closer, std::min(1.0, flown));
         const double after = after_tearing(lattice_, crowding, made.neighbours[i], bound);
         state.density[i] = settings_.rest_density * after;

@@ -40,10 +40,11 @@ struct WcmpsDensitySums {
     NumbersView<1> stir;      ///< sum v^2 W [m^2/s^2]
     NumbersView<3> outward;   ///< sum W d/r, walls included [-]
     NumbersView<1> slip;      ///< sum b x g' W of walls [1/s]
+    NumbersView<1> even;      ///< sum w of EvenCount, walls included [-]
 };
 inline WcmpsDensitySums lend_wcmps_density_sums(StageMemory<parallel::Host>& memory) {
-    return {memory.lend<1>(0), memory.lend<1>(1), memory.lend<1>(2),
-            memory.lend<1>(3), memory.lend<3>(4), memory.lend<1>(7)};
+    return {memory.lend<1>(0), memory.lend<1>(1), memory.lend<1>(2), memory.lend<1>(3),
+            memory.lend<3>(4), memory.lend<1>(7), memory.lend<1>(8)};
 }
 
 /// Holds the sums that the update of density leaves to the stages after it.

@@ -227,7 +227,7 @@ void build_particles(CaseBuild& build, const Value* table, fluid::SchemeSettings
     warn_of_shallow_water(build, list, fluid, filling);
     warn_of_paddles(build, fluid, filling);
     if (const auto* sph = std::get_if<fluid::SphSettings>(&fluid.scheme)) {
-        warn_of_scheme(build, *sph);
+        warn_of_scheme(build, *sph, fluid);
     }
     build_absorptions(build, filling.particles, fluid);
     warn_of_bodies_outside(build, fluid);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/body/may_move.hpp"
 #include "riprap/fluid/sph/courant_bound.hpp"
 #include "riprap/fluid/sph/device/device_sph.hpp"
 #include "riprap/scene/case/placed_part.hpp"
@@ -137,6 +138,36 @@ void warn_of_muller(CaseBuild& build, const fluid::SphSettings& sph) {
     }
 }
 
+/// What keeps water from two clocks (docs/theory/sph.md, 12); empty: nothing.
+std::string reason_for_one_clock(const CaseBuild& build, const coupling::ParticleFluid& fluid) {
+    if (fluid.wall == coupling::WallTreatment::penalty) {
+        return "walls are those of wall = \"penalty\"";
+    }
+    if (!fluid.open.empty()) {
+        return "water enters or leaves";
+    }
+    const body::BodySet& bodies = build.model.bodies;
+    for (std::int32_t b = 0; b < bodies.size(); ++b) {
+        const auto index = static_cast<std::size_t>(b);
+        if (bodies.drive[index] != body::Drive::fixed || body::may_move(bodies, index)) {
+            return fmt::format("'{}' may move", bodies.name(BodyId{b}));
+        }
+    }
+    return {};
+}
+
+void warn_of_one_clock(CaseBuild& build, const fluid::SphSettings& sph, const coupling::ParticleFluid& fluid) {
+    if (sph.sound_steps == 1) {
+        return;
+    }
+    if (const std::string reason = reason_for_one_clock(build, fluid); !reason.empty()) {
+        build.warnings.push_back(
+            fmt::format("fluid.sound_steps = {} has no effect, as {}: each step has a geometry "
+                        "of its own",
+                        sph.sound_steps, reason));
+    }
+}
+
 }  // namespace
 
 void warn_at(CaseBuild& build, std::int32_t name, std::string text) {
@@ -160,8 +191,9 @@ void warn_of_thin_bodies(CaseBuild& build, const coupling::ParticleFluid& fluid,
             "feel the other through {0} (below {1})");
 }
 
-void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph) {
+void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph, const coupling::ParticleFluid& fluid) {
     warn_of_muller(build, sph);
+    warn_of_one_clock(build, sph, fluid);
     warn_of_courant(build, sph);
     if (sph.is_on_device() && !fluid::has_device()) {
         build.warnings.push_back(

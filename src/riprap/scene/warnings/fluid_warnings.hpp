@@ -59,7 +59,7 @@ void warn_of_waves_over_depth(CaseBuild& build, const Value& waves, const coupli
 /// A region of still water that ends at a face of a body that may move, in one line for all.
 void warn_of_regions_at_faces(CaseBuild& build, const Value& regions, const coupling::HydrostaticSettings& settings);
 
-/// Settings of the scheme that do not go together.
-void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph);
+/// Settings of the scheme that do not go together, or have no effect between the bodies and openings of the case.
+void warn_of_scheme(CaseBuild& build, const fluid::SphSettings& sph, const coupling::ParticleFluid& fluid);
 
 }  // namespace riprap::scene

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "riprap/core/timer.hpp"
+#include "riprap/solid/sphere_dem/dashpot_loss.hpp"
 #include "riprap/solid/sphere_dem/move_spheres.hpp"
 #include "riprap/solid/sphere_dem/place.hpp"
 #include "riprap/solid/sphere_dem/share.hpp"
@@ -28,7 +29,6 @@ ContactSums evaluate_contacts(const SphereModel& model, double time, double slid
     ++state.evaluations;
     scratch.evaluations = state.evaluations;
     state.friction_loss += sums.friction_loss;
-    state.damping_loss += sums.damping_loss;
     state.rolling_loss += sums.rolling_loss;
     return sums;
 }
@@ -57,6 +57,8 @@ SphereReport advance(const SphereModel& model, const Vec3& gravity, const body::
     settings.max_speed = model.settings.max_speed;
     report.kick =
         kick(model.bodies, settings, scratch.kinematics, scratch.loads, external, gravity, kick_times, bodies);
+    report.dashpots = dashpot_loss(model, bodies, state, report.contacts.dashpot_power, times.dt, scratch);
+    state.damping_loss += report.dashpots.all;
     drift_spheres(model.bodies, bodies, times.begin + times.dt, half);
     if (report.kick.worst_body >= 0) {
         report.problem = model.bodies.name(BodyId{static_cast<std::int32_t>(report.kick.worst_body)}) +

@@ -3,6 +3,7 @@
 
 #include "riprap/solid/explicit_dem.hpp"
 #include "riprap/solid/faces_on_faces.hpp"
+#include "riprap/solid/sphere_dem/dashpot_loss.hpp"
 #include "riprap/solid/sphere_dem/sphere_model.hpp"
 #include "riprap/solid/sphere_dem/sphere_scratch.hpp"
 #include "riprap/solid/sphere_dem/sphere_state.hpp"
@@ -20,6 +21,7 @@ struct StepTimes {
 struct SphereReport {
     KickReport kick;                ///< motion and outside loads, at the kick
     ContactSums contacts;           ///< energies at the mid-step poses
+    DashpotLoss dashpots;           ///< in this step
     std::int64_t contact_count{0};  ///< of spheres, several a pair of bodies
     bool has_searched{false};       ///< candidate pairs were searched afresh
     std::string problem;            ///< empty = the step stands

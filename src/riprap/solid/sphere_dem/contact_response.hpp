@@ -48,9 +48,11 @@ struct ContactMotion {
 /// Force on A and books of one contact or of eight.
 template <class T>
 struct ContactResponse {
-    Vec3T<T> force;                                        ///< [N]
-    Vec3T<T> couple;                                       ///< of rolling resistance [N m]
-    T elastic, friction_loss, damping_loss, rolling_loss;  ///< [J]
+    Vec3T<T> force;                          ///< [N]
+    Vec3T<T> couple;                         ///< of rolling resistance [N m]
+    Vec3T<T> dashpot;                        ///< part of the force that dashpots have [N]
+    T dashpot_power;                         ///< that they take at the velocity before the kick [W]
+    T elastic, friction_loss, rolling_loss;  ///< [J]
 };
 
 /// Laws of a contact besides friction, as the settings choose them.
@@ -126,7 +128,11 @@ template <class T, class Laws, class Law>
     out.couple = {};
     out.elastic = normal.energy * motion.weight + shear.energy;
     out.friction_loss = shear.friction_loss;
-    out.damping_loss = motion.dt * (dashpot * middle + shear.dashpot_power);
+    out.dashpot = -(motion.normal * dashpot);
+    if constexpr (!std::is_same_v<Law, contact::TanhFriction>) {  // whose force is all friction
+        out.dashpot += shear.force - spring.force;
+    }
+    out.dashpot_power = -dot(out.dashpot, motion.velocity);
     out.rolling_loss = zero;
     if (laws.rolling() != contact::RollingLaw::none) {
         const Vec3T<T> rolling = motion.spin - motion.normal * dot(motion.spin, motion.normal);

@@ -63,7 +63,7 @@ struct WideSums {
     [[gnu::always_inline]] void add(const ContactResponse<Native>& response, Native depth, std::size_t p,
                                     std::int64_t count) {
         Native one_elastic = response.elastic, one_friction = response.friction_loss,
-               one_damping = response.damping_loss, one_rolling = response.rolling_loss;
+               one_damping = response.dashpot_power, one_rolling = response.rolling_loss;
         for (std::int64_t lane = count; lane < lanes_in<Native>; ++lane) {  // of the last group only
             for (Native* value : {&depth, &one_elastic, &one_friction, &one_damping, &one_rolling}) {
                 value->set(lane, 0);

@@ -211,6 +211,17 @@ struct Respond {
         }
     }
 
+    /// Keeps what dashpots do, for their work once the bodies have been kicked.
+    [[gnu::always_inline]] void keep_dashpots(const Group& g, const Vectors& force) const {
+        if (g.is_full()) {
+            store_vectors(force, &scratch.dashpots[at(g.first)]);
+            return;
+        }
+        for (std::int64_t lane = 0; lane < g.count; ++lane) {
+            scratch.dashpots[at(g.first + lane)] = lane_of(force, lane);
+        }
+    }
+
     /// Contacts [first, first + count), part `p` of a group of eight.
     [[gnu::always_inline]] void part(std::int64_t first, std::int64_t count, std::int64_t p, WideSums& sums) const {
         const Group g(state.contacts, first, count);
@@ -222,6 +233,7 @@ struct Respond {
         }
         const ContactResponse<Native> response = answer(g, motion);
         add_loads(g, response, arm, a.radius, b.radius);
+        keep_dashpots(g, response.dashpot);
         if (scratch.keeps_forces) {
             keep_forces(g, response.force);
         }
@@ -277,6 +289,7 @@ ContactSums respond(const SphereModel& model, const body::BodyState& bodies, dou
                     SphereScratch& scratch) {
     const SphereSettings& settings = model.settings;
     scratch.forces.resize(scratch.keeps_forces ? state.contacts.size() : 0);
+    scratch.dashpots.resize(state.contacts.size());
     const bool is_plain =
         settings.normal == contact::NormalLaw::hertz && settings.rolling == contact::RollingLaw::none &&
         settings.normals == contact::SphereNormals::centres && scratch.weight.empty() && model.table.size() == 1;

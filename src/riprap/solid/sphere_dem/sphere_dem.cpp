@@ -13,6 +13,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/solid/sphere_dem/advance.hpp"
+#include "riprap/solid/sphere_dem/dashpot_loss.hpp"
 #include "riprap/solid/sphere_dem/deepest_contact.hpp"
 #include "riprap/solid/sphere_dem/default_stiffness.hpp"
 #include "riprap/solid/sphere_dem/move_spheres.hpp"
@@ -208,10 +209,15 @@ Outcome SphereDem::advance(const TimeSpan& span, const body::LoadView& loads, Me
     report.kick = kick(bodies, faces_settings_, buffers.kinematics, buffers.loads,
                        scratch_->point_loads.add(scene_->point_loads, state, kick_time, loads), report.gravity,
                        {kick_time, previous_kick, span.dt}, state);
+    const sphere_dem::DashpotLoss dashpots =
+        sphere_dem::dashpot_loss(model(), state, *fields_, sums.dashpot_power, span.dt, buffers);
+    report.damping_loss = dashpots.all;
+    fields_->damping_loss += dashpots.all;
+    // The ledger books half of it before the kick, where dashpots have taken `before`.
+    report.kick.kinetic += dashpots.before - 0.5 * dashpots.all;
     after.end(buffers.times.move_bodies);
     report.elastic = report.has_stored ? sums.elastic : 0;
     report.friction_loss = sums.friction_loss;
-    report.damping_loss = sums.damping_loss;
     report.own = {sums.rolling_loss};
     report.max_potential = sums.deepest;
     if (measure == Measure::energy) {

@@ -32,7 +32,7 @@ struct alignas(64) LoadRow {
 struct ContactSums {
     double elastic{0};        ///< stored in normal, tangential and rolling springs [J]
     double friction_loss{0};  ///< in this step [J]
-    double damping_loss{0};   ///< in this step [J]
+    double dashpot_power{0};  ///< that dashpots take at the velocities before the kick [W]
     double rolling_loss{0};   ///< in this step [J]
     double deepest{0};        ///< largest overlap over the smaller radius [-]
 
@@ -40,7 +40,7 @@ struct ContactSums {
     static void join(ContactSums& a, const ContactSums& b, const By& by) {
         by.add(a.elastic, b.elastic);
         by.add(a.friction_loss, b.friction_loss);
-        by.add(a.damping_loss, b.damping_loss);
+        by.add(a.dashpot_power, b.dashpot_power);
         by.add(a.rolling_loss, b.rolling_loss);
         by.largest(a.deepest, b.deepest);
     }
@@ -114,6 +114,7 @@ struct WallContact {
 struct WallLoad {
     Vec3 force, torque;  ///< on the body of the sphere [N], [N m]
     Vec3 wall_torque;    ///< [N m]
+    Vec3 dashpot;        ///< part of the force that dashpots have [N]
 };
 
 /// Buffers of the method: Scratch. Dropping it changes no result.
@@ -131,6 +132,8 @@ struct SphereScratch {
     std::vector<double> weight;                           ///< per contact; empty where all are 1
     bool keeps_forces{false};                             ///< output wants the forces of contacts
     std::vector<Vec3> forces;                             ///< then: per contact, on its sphere A [N]; else empty
+    std::vector<Vec3> dashpots;                           ///< per contact, what dashpots do to its sphere A [N]
+    std::vector<Vec3> spin_after;                         ///< of bodies after the kick [rad/s]
     Springs old;                                          ///< buffers of the springs that are replaced
     std::vector<WallContact> walls;
     std::vector<std::vector<WallContact>> wall_chunks;

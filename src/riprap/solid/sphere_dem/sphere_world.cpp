@@ -99,7 +99,7 @@ SphereReport SphereWorld::step(double dt, const body::LoadView& external) {
 
 double SphereWorld::energy_account() const {
     return report.kick.kinetic + report.kick.potential + report.contacts.elastic + contacts.friction_loss +
-           contacts.damping_loss + contacts.rolling_loss + other_losses_;
+           contacts.damping_loss + report.dashpots.before - report.dashpots.all + contacts.rolling_loss + other_losses_;
 }
 
 }  // namespace riprap::solid::sphere_dem

@@ -195,7 +195,7 @@ struct RespondToWalls {
             }
             const Vec3 force = lane_of(response.force, lane), couple = lane_of(response.couple, lane);
             scratch.wall_loads[c] = {force, cross(g.arm[lane], force) + couple,
-                                     -cross(g.wall_arm[lane], force) - couple};
+                                     -cross(g.wall_arm[lane], force) - couple, lane_of(response.dashpot, lane)};
         }
         sums.add(response, g.motion.overlap / g.room, p, count);
     }
