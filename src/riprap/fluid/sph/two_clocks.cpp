@@ -24,7 +24,7 @@ double fastest_of(const ParticleState& state) {
 }
 
 /// Adds what an update of density changed.
-void book(const DensityUpdate& update, FluidReport& report) {
+void book(const DensityUpdate& update, ParticleReport& report) {
     const parallel::JoinBy<parallel::AddRounded> by{};
     by.add(report.by_density, update.losses);
     by.add(report.shifted, update.shifting);
@@ -52,7 +52,7 @@ std::int64_t TwoClocks::sound_steps(const ParticleState& state, double dt) const
 }
 
 double TwoClocks::renew(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                        bool are_walls_still, double& since, FluidReport& report) {
+                        bool are_walls_still, double& since, ParticleReport& report) {
     FlowClock& flow = state.flow;
     if (flow.is_under_way() && are_walls_still) {
         return 0;
@@ -118,7 +118,7 @@ void TwoClocks::place(const ParticleState& state, const BoundaryParticles& walls
 }
 
 void TwoClocks::find_geometry(const ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                              double dt, FluidReport& report) {
+                              double dt, ParticleReport& report) {
     place(state, walls);
     ParticleColumns start = in_geometry(state);
     start.velocity = const_cast<Vec3*>(state.flow.velocity.data());
@@ -172,7 +172,7 @@ void TwoClocks::find_slow_forces(const ParticleColumns& start, const BoundaryPar
 }
 
 void TwoClocks::update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                               FluidReport& report) {
+                               ParticleReport& report) {
     if (!state.flow.is_under_way()) {
         known_ = 0;
         const DensityUpdate closing{report.by_density, report.shifted, report.volume};
@@ -189,7 +189,7 @@ void TwoClocks::update_density(ParticleState& state, const BoundaryParticles& wa
 }
 
 void TwoClocks::advance(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                        FluidReport& report) {
+                        ParticleReport& report) {
     if (known_ != state.flow.stamp) {
         find_geometry(state, walls, gravity, 0, report);
     }
@@ -206,7 +206,7 @@ void TwoClocks::advance(ParticleState& state, const BoundaryParticles& walls, co
 }
 
 void TwoClocks::carry_density(const ParticleState& state, NumbersView<1> diffusion, double dt, bool is_first,
-                              FluidReport& report) {
+                              ParticleReport& report) {
     const ParticleColumns fluid = in_geometry(state);
     const double diffusivity = 2 * settings_.density_diffusion * settings_.smoothing_length() /
                                (settings_.sound_speed * settings_.rest_density);
@@ -227,7 +227,7 @@ void TwoClocks::carry_density(const ParticleState& state, NumbersView<1> diffusi
 }
 
 void TwoClocks::begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
-                             const Vec3& gravity, FluidReport& report) {
+                             const Vec3& gravity, ParticleReport& report) {
     if (!state.flow.is_under_way()) {
         Base::begin_forces(state, walls, span, gravity, report);
         return;
@@ -263,7 +263,7 @@ void TwoClocks::load_walls(const ParticleState& state, BoundaryParticles& walls,
 }
 
 void TwoClocks::kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                     const SparseVectors& extra_force, FluidReport& report) {
+                     const SparseVectors& extra_force, ParticleReport& report) {
     if (!state.flow.is_under_way()) {
         Base::kick(state, walls, gravity, span, extra_force, report);
         return;
@@ -286,7 +286,7 @@ void TwoClocks::kick(ParticleState& state, const BoundaryParticles& walls, const
 }
 
 void TwoClocks::finish_kick_in_flow(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                                    const TimeSpan& span, const SparseVectors& extra_force, FluidReport& report) {
+                                    const TimeSpan& span, const SparseVectors& extra_force, ParticleReport& report) {
     const ParticleColumns fluid = columns_of(state);
     const KickOnGeometry kick_one{settings_.particle_mass,
                                   span.dt,
@@ -318,7 +318,7 @@ void TwoClocks::find_concentration(const parallel::Blocks& blocks, const Boundar
 }
 
 void TwoClocks::shift_flow(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                           FluidReport& report) {
+                           ParticleReport& report) {
     if (settings_.shifting == 0) {
         return;
     }

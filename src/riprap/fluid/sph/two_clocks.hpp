@@ -27,15 +27,15 @@ class TwoClocks : public DeltaSph<WaterInPlace> {
     using Base::Base;
 
     double renew(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-                 bool are_walls_still, double& since, FluidReport& report) override;
+                 bool are_walls_still, double& since, ParticleReport& report) override;
     bool has_two_clocks() const override { return true; }
     void update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                        FluidReport& report) override;
+                        ParticleReport& report) override;
     void begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span, const Vec3& gravity,
-                      FluidReport& report) override;
+                      ParticleReport& report) override;
     void load_walls(const ParticleState& state, BoundaryParticles& walls, const Vec3& gravity) override;
     void kick(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, const TimeSpan& span,
-              const SparseVectors& extra_force, FluidReport& report) override;
+              const SparseVectors& extra_force, ParticleReport& report) override;
     std::size_t bytes() const override;
 
  private:
@@ -43,10 +43,10 @@ class TwoClocks : public DeltaSph<WaterInPlace> {
     static void begin_flow_step(ParticleState& state, std::int64_t steps, double dt);
     /// Carries the density on a geometry, which is found where it is not at hand.
     void advance(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                 FluidReport& report);
+                 ParticleReport& report);
     /// Carries it by the rates and the diffusion that were summed.
     void carry_density(const ParticleState& state, NumbersView<1> diffusion, double dt, bool is_first,
-                       FluidReport& report);
+                       ParticleReport& report);
     /// The sound steps that a flow step from this State may have.
     std::int64_t sound_steps(const ParticleState& state, double dt) const;
     /// The particles in their geometry, with the velocities of now.
@@ -55,14 +55,14 @@ class TwoClocks : public DeltaSph<WaterInPlace> {
     /// Finds all that lasts as long as the geometry, from the FlowClock alone. Its sums are those of the first sound
     /// step too: that one carries the density by them, for dt > 0.
     void find_geometry(const ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                       FluidReport& report);
+                       ParticleReport& report);
     void find_slow_forces(const ParticleColumns& start, const BoundaryParticles& walls, const Vec3& gravity);
     void shift_flow(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                    FluidReport& report);
+                    ParticleReport& report);
     void find_concentration(const parallel::Blocks& blocks, const BoundaryParticles& walls,
                             const std::vector<Vec3>& places);
     void finish_kick_in_flow(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                             const TimeSpan& span, const SparseVectors& extra_force, FluidReport& report);
+                             const TimeSpan& span, const SparseVectors& extra_force, ParticleReport& report);
     Surroundings around() const;
 
     // What lasts as long as a geometry; the rest of it is in the buffers of the base.
