@@ -43,7 +43,7 @@ enum Total : std::size_t {
 };
 
 /// Entries behind the own accounts: a ledger written before there were these begins like one with them.
-enum Late : std::size_t { rest_highest, rest_rise, residual_of_first_steps, late_count };
+enum Late : std::size_t { rest_highest, rest_rise, residual_of_first_steps, fluid_turnover, late_count };
 
 std::size_t late(const Accounts& accounts, Late entry) {
     return own_accounts + accounts.solid.size() + accounts.fluid.size() + entry;
@@ -161,7 +161,7 @@ double first_residual(const Accounts& accounts, const LedgerState& state) {
 }
 
 bool take_up_old_totals(const Accounts& accounts, LedgerState& state) {
-    if (state.totals.size() == late(accounts, rest_highest)) {
+    if (state.totals.size() == late(accounts, rest_highest) || state.totals.size() == late(accounts, fluid_turnover)) {
         state.totals.resize(late(accounts, late_count), 0.0);
     }
     return state.totals.size() == late(accounts, late_count);
@@ -281,8 +281,10 @@ void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerS
     fluid.residual = sum - totals[fluid_reference_energy];
     fluid.momentum_residual = fluid.momentum - get(totals, fluid_impulse) - get(totals, fluid_reference_momentum);
     ledger.residual += ledger.has_energy ? fluid.residual + fluid.coupling_gap : 0;
-    ledger.turnover =
-        std::max({ledger.turnover, high - low, std::abs(own.lost), std::abs(fluid.work_on_solids), own.largest_given});
+    // Water gives and takes: what it has lost in sum, or done to solids, may come back to nothing, and was turned over.
+    double& turnover = totals[late(accounts, fluid_turnover)];
+    turnover = std::max({turnover, high - low, std::abs(own.lost), std::abs(fluid.work_on_solids), own.largest_given});
+    ledger.turnover = std::max(ledger.turnover, turnover);
 }
 
 void account_transport(const coupling::Transported& transported, LedgerState& state) {
