@@ -58,6 +58,7 @@ double damped_share(double standing) {
 
 struct Losses {
     double diffusion{0}, heat{0}, exchange{0};
+    FlowWork flow;
 };
 
 }  // namespace
@@ -211,15 +212,22 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
         // what leaves compression, m/rho_0 p/x dx, halfway between the values that forces see
         const double mean = 0.5 * (before + after);
         const double per_concentration = per_density * pressure_of(settings_, mean) / mean;
-        return Losses{-per_concentration * (spread + after - flown), heat,
-                      -per_concentration * dt * before * made.slip[i]};
+        const double conjugate = before * (squeezed - made.slip[i]);
+        return Losses{
+            -per_concentration * (spread + after - flown),
+            heat,
+            -per_concentration * dt * before * made.slip[i],
+            {per_concentration * dt * conjugate, per_density * water_.pressure_over_concentration[i] * conjugate,
+             per_density * pressure_of(settings_, after) / after * conjugate}};
     };
     const Losses losses = parallel::reduce(state.owned(), Losses{}, advance_one, [](const Losses& a, const Losses& b) {
-        return Losses{a.diffusion + b.diffusion, a.heat + b.heat, a.exchange + b.exchange};
+        return Losses{a.diffusion + b.diffusion, a.heat + b.heat, a.exchange + b.exchange, a.flow + b.flow};
     });
     report.dissipated_diffusion = losses.diffusion;
     report.earlier_heat = losses.heat;
     report.earlier_exchange = losses.exchange;
+    flow_ = losses.flow;
+    flow_time_ = dt;
 }
 
 }  // namespace riprap::fluid
