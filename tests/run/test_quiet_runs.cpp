@@ -287,6 +287,28 @@ TEST(LedgerVerdict, SeesEnergyThatAGridMakesAfterItHasLostMore) {
     EXPECT_GT(ledger.fluid.own.front(), 0);  // in all it has lost
 }
 
+// A lid that swings on water gives it all back in the end: a run that stopped just there was judged by nothing.
+TEST(LedgerVerdict, RemembersWhatWaterHasTurnedOverWhenItComesBack) {
+    const StillTank tank;
+    const sim::Accounts accounts = accounts_of(tank.simulation.model());
+    sim::State state = tank.simulation.state();
+    reset(accounts, state.ledger);
+    const auto turned_over = [&](double work, double lost) {
+        coupling::FluidStep step;
+        step.balance.work_on_solids = work * tank.lift();
+        step.own = {lost * tank.lift()};
+        sim::Ledger ledger = tank.ledger;
+        ledger.turnover = 0;
+        account_fluid({step, 0, 0}, accounts, state.ledger, ledger);
+        return ledger.turnover / tank.lift();
+    };
+    turned_over(0, 0);
+    EXPECT_NEAR(turned_over(2, 0), 1, 1e-12);  // half of a step's work lies before the kick
+    EXPECT_NEAR(turned_over(-2, 0), 1, 1e-12);
+    EXPECT_NEAR(turned_over(0, 0), 1, 1e-12);
+    EXPECT_NEAR(turned_over(6, 0), 3, 1e-12);
+}
+
 TEST(LedgerVerdict, CountsNotAgainWhatTheFirstStepsMissed) {
     const StillTank tank;
     const sim::Accounts accounts = accounts_of(tank.simulation.model());

@@ -136,9 +136,12 @@ TEST(Restart, EverythingThatLaterCodeReliesOnIsChecked) {
                 HasSubstr("not a rotation"));
     EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.ledger.totals.push_back(0); }),
                 HasSubstr("ledger.totals"));
-    // A version before the rise of the water's energy and the miss of the first steps were kept.
-    EXPECT_EQ(refusal_of([](sim::State& s, RunRecord&) { s.ledger.totals.resize(s.ledger.totals.size() - 3); }),
-              "accepted");
+    // Versions before what water has turned over, the rise of its energy and the miss of the first steps were kept.
+    for (const std::size_t missing : {1U, 4U}) {
+        EXPECT_EQ(
+            refusal_of([&](sim::State& s, RunRecord&) { s.ledger.totals.resize(s.ledger.totals.size() - missing); }),
+            "accepted");
+    }
     EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.step = -1; }), HasSubstr("negative"));
     EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.stepping.halvings = 60; }), HasSubstr("halved 60 times"));
     EXPECT_THAT(refusal_of([](sim::State&, RunRecord& r) { r.end = 0; }), HasSubstr("end of the run"));

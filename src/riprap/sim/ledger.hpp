@@ -46,8 +46,11 @@ struct Ledger {
     ///   - the ranges, highest minus lowest value since the first kick, of kinetic, of kinetic + potential -
     ///     gravity_change - released, of shear, driven and external;
     ///   - the sum of all losses so far;
-    ///   - the energy stored in contacts and blocks (not measured in every step, so its range is not known).
-    /// The scale does not depend on the origin and, but for the last term, never shrinks.
+    ///   - the energy stored in contacts and blocks (not measured in every step, so its range is not known);
+    ///   - the range of the kinetic energy of the fluid, and the largest sizes so far of what it has lost in sum, done
+    ///   to
+    ///     solids and given.
+    /// The scale does not depend on the origin and, but for the energy stored, never shrinks.
     double turnover{0};
     Vec3 momentum{};           ///< of free bodies [kg m/s]
     Vec3 impulse{};            ///< of gravity, supports, damping, external loads, releases since the start [N s]

@@ -47,6 +47,7 @@ enum Late : std::size_t {
     rest_highest,
     rest_rise,
     residual_of_first_steps,
+    fluid_turnover,
     fluid_gravity,
     fluid_mass_moment = fluid_gravity + 3,
     has_fluid_moment = fluid_mass_moment + 3,
@@ -173,14 +174,14 @@ double first_residual(const Accounts& accounts, const LedgerState& state) {
 bool take_up_old_totals(const Accounts& accounts, LedgerState& state) {
     if (const std::ptrdiff_t first = fluid_account(accounts, first_young_account); first >= 0) {
         const std::size_t young = accounts.fluid.size() - static_cast<std::size_t>(first);
-        for (const Late missing : {rest_highest, fluid_gravity, late_count}) {
+        for (const Late missing : {rest_highest, fluid_turnover, late_count}) {
             if (state.totals.size() + young == late(accounts, missing)) {
                 const auto end_of_old = static_cast<std::ptrdiff_t>(late(accounts, rest_highest) - young);
                 state.totals.insert(state.totals.begin() + end_of_old, young, 0.0);
             }
         }
     }
-    for (const Late end_of_older : {rest_highest, fluid_gravity}) {
+    for (const Late end_of_older : {rest_highest, fluid_turnover}) {
         if (state.totals.size() == late(accounts, end_of_older)) {
             state.totals.resize(late(accounts, late_count), 0.0);
         }
@@ -321,8 +322,10 @@ void account_fluid(const FluidLedgerStep& all, const Accounts& accounts, LedgerS
     fluid.residual = sum - totals[fluid_reference_energy];
     fluid.momentum_residual = fluid.momentum - get(totals, fluid_impulse) - get(totals, fluid_reference_momentum);
     ledger.residual += ledger.has_energy ? fluid.residual + fluid.coupling_gap : 0;
-    ledger.turnover =
-        std::max({ledger.turnover, high - low, std::abs(own.lost), std::abs(fluid.work_on_solids), own.largest_given});
+    // Water gives and takes: what it has lost in sum, or done to solids, may come back to nothing, and was turned over.
+    double& turnover = totals[late(accounts, fluid_turnover)];
+    turnover = std::max({turnover, high - low, std::abs(own.lost), std::abs(fluid.work_on_solids), own.largest_given});
+    ledger.turnover = std::max(ledger.turnover, turnover);
 }
 
 void account_transport(const coupling::Transported& transported, LedgerState& state) {

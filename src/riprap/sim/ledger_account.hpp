@@ -56,7 +56,8 @@ double largest_rise(const Accounts& accounts, const LedgerState& state);
 void keep_first_residual(double residual, const Accounts& accounts, LedgerState& state);
 double first_residual(const Accounts& accounts, const LedgerState& state);
 
-/// Lengthens totals that a version without these three, or without young accounts, wrote; tells whether they fit then.
+/// Lengthens totals that a version without these, without what the fluid has turned over and the work of a changing
+/// gravity, or without young accounts, wrote; tells whether they fit then.
 bool take_up_old_totals(const Accounts& accounts, LedgerState& state);
 
 }  // namespace riprap::sim

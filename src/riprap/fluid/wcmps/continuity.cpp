@@ -41,6 +41,7 @@ double damped_share(double standing) {
 struct DensityUpdate {
     DensityLosses losses;
     double heat{0}, exchange{0};
+    FlowWork flow;
     VolumeBook volume;
 
     template <class By>
@@ -48,6 +49,7 @@ struct DensityUpdate {
         by.add(a.losses, b.losses);
         by.add(a.heat, b.heat);
         by.add(a.exchange, b.exchange);
+        by.add(a.flow, b.flow);
         by.add(a.volume, b.volume);
     }
 };
@@ -207,10 +209,14 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
         // what leaves compression, m/rho_0 p/x dx, halfway between the values that forces see
         const double mean = 0.5 * (before + after);
         const double per_concentration = per_density * pressure_of(settings_, mean) / mean;
+        const double conjugate = before * (squeezed - made.slip[i]);
         DensityUpdate update{{-per_concentration * spread, -per_concentration * (after - bound), 0,
                               -per_concentration * (bound - flown)},
                              heat,
                              -per_concentration * dt * before * made.slip[i],
+                             {per_concentration * dt * conjugate,
+                              per_density * water_.pressure_over_concentration[i] * conjugate,
+                              per_density * pressure_of(settings_, after) / after * conjugate},
                              {}};
         VolumeBook& volume = update.volume;
         const double per_gain = -per_density / (before * after);
@@ -225,6 +231,8 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
     report.earlier_heat = update.heat;
     report.earlier_exchange = update.exchange;
     report.volume = update.volume;
+    flow_ = update.flow;
+    flow_time_ = dt;
 }
 
 }  // namespace riprap::fluid

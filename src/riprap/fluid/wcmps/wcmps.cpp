@@ -122,6 +122,7 @@ void Wcmps::kick(ParticleState& state, const BoundaryParticles& walls, const Vec
     classify(state);
     const bool collides = find_collisions(state);
     shift(state, without_periodic(pull, settings_.domain), span.dt, report);
+    report.by_density.diffusion += flow_.beyond(flow_time_, span.dt);
     kick_particles(state, pull, span.dt, collides, extra_force, report);
     book_walls(walls, span.dt, report);
     find_wild_particle(settings_, state, span.time, report);

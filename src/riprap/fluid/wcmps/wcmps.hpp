@@ -3,6 +3,7 @@
 
 #include "riprap/fluid/mps_operators/mps_lattice.hpp"
 #include "riprap/fluid/mps_operators/mps_weight.hpp"
+#include "riprap/fluid/particle/flow_work.hpp"
 #include "riprap/fluid/particle/particle_scheme.hpp"
 #include "riprap/fluid/particle/sweep_lists.hpp"
 #include "riprap/fluid/wcmps/wcmps_scratch.hpp"
@@ -108,6 +109,8 @@ class Wcmps : public ParticleScheme {
     SweepLists lists_;
     WcmpsWater water_;
     WcmpsContinuity continuity_;
+    FlowWork flow_;        ///< of the update of density in this step
+    double flow_time_{0};  ///< its dt [s]
     StageMemory<parallel::Host> stage_;
     WcmpsForceSums forces_;  ///< lent by it
     WcmpsSurface surface_;
