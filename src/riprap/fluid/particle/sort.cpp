@@ -106,6 +106,7 @@ std::vector<std::uint32_t> order_by_place(std::span<const Vec3> points, const Do
 void sort_by_place(ParticleState& state, const Domain& domain, double spacing) {
     const std::vector<std::uint32_t> order = order_by_place(state.position, domain, spacing);
     ParticleState::visit_fields(state, Permute{order});
+    state.flow.stamp = ~state.flow.stamp;  // what is kept of the geometry has the old order
 }
 
 }  // namespace riprap::fluid
