@@ -131,17 +131,17 @@ std::vector<double> survey(const DrawnBodies& bodies, const BodyFrame& frame, co
 }
 
 double volume_of(const DrawnShape& shape, bool is_planar) {
-    Vec3 area{};
-    double volume = 0;
+    double volume = 0, front = 0, back = 0;  // a planar body may be drawn with one face or with two
     for (const std::vector<std::int32_t>& face : shape.faces) {
         for (std::size_t k = 1; k + 1 < face.size(); ++k) {
             const Vec3 &a = shape.corners[at(face[0])], &b = shape.corners[at(face[k])],
                        &c = shape.corners[at(face[k + 1])];
             volume += dot(a, cross(b, c)) / 6;
-            area = area + cross(b - a, c - a) * 0.5;
+            const double twice = cross(b - a, c - a).z;
+            (twice > 0 ? front : back) += 0.5 * std::abs(twice);
         }
     }
-    return is_planar ? norm(area) : std::abs(volume);
+    return is_planar ? std::max(front, back) : std::abs(volume);
 }
 
 }  // namespace riprap::view
