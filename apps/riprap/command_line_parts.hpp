@@ -14,7 +14,7 @@ using Action = std::function<int()>;
 /// For commands that only print: a reader that has seen enough (`| head`) ends them without a word, as it does others.
 void end_with_reader();
 
-/// Adds the commands that look at the folder of a run: view, render, plot, waves and pack.
+/// Adds the commands that look at the folder of a run: view, render, plot, waves, damage and pack.
 void add_commands_of_runs(CLI::App& app, Action& action);
 
 /// Adds single commands: a study of many runs, a case to start from, an old case with the names of today, and texts

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -13,10 +14,11 @@
 #include "commands.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/view/archive/archive_run.hpp"
+#include "riprap/view/damage/damage_report.hpp"
 #include "riprap/view/page.hpp"
 #include "riprap/view/render.hpp"
+#include "riprap/view/sea/sea_report.hpp"
 #include "riprap/view/surface_export.hpp"
-#include "riprap/view/wave_report.hpp"
 
 namespace riprap {
 
@@ -155,37 +157,143 @@ void add_plot(CLI::App& app, Action& action) {
     });
 }
 
-void add_waves(CLI::App& app, Action& action) {
-    auto request = std::make_shared<view::WaveRequest>();
-    auto folder = std::make_shared<std::filesystem::path>();
-    auto as_json = std::make_shared<bool>(false);
-    CLI::App* command =
-        app.add_subcommand("waves", "Heights and periods of the waves at the gauges of a run, and reflection");
-    command->footer("Example:\n  riprap waves runs/wave_flume --from 10 --to 20");
-    command->add_option("RUN", *folder, "The run folder")->required();
+/// Reads KEY=VALUE of an input of a formula.
+void read_input(const std::string& text, wave::FormulaValues& given) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const char* value = equals == std::string::npos ? "" : text.c_str() + equals + 1;
+    const double number = std::strtod(value, &end);
+    if (*value == '\0' || *end != '\0') {
+        throw CLI::ValidationError("--with", fmt::format("'{}' is not KEY=NUMBER", text));
+    }
+    given[text.substr(0, equals)] = number;
+}
+
+struct WaveWords {
+    std::vector<std::filesystem::path> folders;
+    view::SeaRequest request;
+    std::vector<std::string> inputs;
+    std::vector<double> way;
+    std::filesystem::path out;
+    bool as_json{false};
+};
+
+/// Adds what is asked of a sea.
+void add_sea_options(CLI::App& command, WaveWords& words) {
+    command.add_option("--parts", words.request.parts, "Of a sea: parts of the record, for the bands (default: 5)")
+        ->check(CLI::Range(1, 100));
     command
-        ->add_option("--gauge", request->gauges,
+        .add_option("--force", words.request.forces,
+                    "Of a sea: column of probes.csv whose largest values are wanted; may be repeated")
+        ->type_name("COLUMN")
+        ->allow_extra_args(false);
+    command
+        .add_option("--with", words.inputs,
+                    "Of a sea: an input of the formulas, as cot_slope=1.5; may be repeated (docs/reference/waves.md)")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    command.add_option("--out", words.out, "Of a sea: folder for sea.csv, sea_spectrum.csv, sea_volumes.csv, sea.svg");
+}
+
+void add_waves(CLI::App& app, Action& action) {
+    auto words = std::make_shared<WaveWords>();
+    view::WaveRequest& request = words->request.waves;
+    CLI::App* command = app.add_subcommand(
+        "waves", "Heights and periods of the waves at the gauges of a run, reflection, run-up, overtopping");
+    command->footer(
+        "Example:\n  riprap waves runs/wave_flume --from 10 --to 20\n"
+        "  riprap waves runs/seed_1 runs/seed_2 runs/seed_3 --with cot_slope=1.5 --with freeboard=3 --out sea");
+    command->add_option("RUN", words->folders, "The run folder; several, with other seeds, give narrower bands")
+        ->required();
+    command
+        ->add_option("--gauge", request.gauges,
                      "Name of a gauge of kind level or surface; may be repeated (default: all)")
         ->type_name("NAME")
         ->allow_extra_args(false);
-    command->add_option("--from", request->from, "Start of the analysed interval [s] (default: half of the record)");
-    command->add_option("--to", request->to, "End of the analysed interval [s] (default: end of the record)");
-    command->add_option("--period", request->period,
+    command->add_option("--from", request.from, "Start of the analysed interval [s] (default: half of the record)");
+    command->add_option("--to", request.to, "End of the analysed interval [s] (default: end of the record)");
+    command->add_option("--period", request.period,
                         "Period of the regular wave to separate [s] (default: the wave maker's)");
-    command->add_option("--depth", request->depth, "Depth of still water [m] (default: the wave maker's)");
-    auto way = std::make_shared<std::vector<double>>();
-    command->add_option("--direction", *way, "Direction of the waves: X,Y or X,Y,Z (default: the wave maker's, or +x)")
+    command->add_option("--depth", request.depth, "Depth of still water [m] (default: the wave maker's)");
+    command
+        ->add_option("--direction", words->way,
+                     "Direction of the waves: X,Y or X,Y,Z (default: the wave maker's, or +x)")
         ->delimiter(',')
         ->expected(2, 3)
         ->type_name("VECTOR");
-    command->add_flag("--json", *as_json, "As JSON");
-    command->callback([&action, folder, request, as_json, way] {
-        if (!way->empty()) {
-            request->direction = Vec3{way->at(0), way->at(1), way->size() > 2 ? way->at(2) : 0};
+    command->add_flag("--json", words->as_json, "As JSON");
+    add_sea_options(*command, *words);
+    command->callback([&action, words] {
+        const std::vector<double>& way = words->way;
+        if (!way.empty()) {
+            words->request.waves.direction = Vec3{way[0], way[1], way.size() > 2 ? way[2] : 0};
         }
-        action = [folder, request, as_json] {
+        for (const std::string& text : words->inputs) {
+            read_input(text, words->request.given);
+        }
+        const bool is_asked = words->folders.size() > 1 || !words->inputs.empty() || !words->request.forces.empty() ||
+                              !words->out.empty();
+        action = [words, is_asked] {
             end_with_reader();
-            return print_waves(*folder, *request, *as_json);
+            return print_waves(words->folders, words->request, is_asked, words->out, words->as_json);
+        };
+    });
+}
+
+struct DamageWords {
+    std::filesystem::path folder, out;
+    view::DamageRequest request;
+    std::vector<std::string> zones;
+    std::vector<double> along;
+    bool as_json{false};
+};
+
+/// Reads LOW,HIGH of a zone.
+std::pair<double, double> read_zone(const std::string& text) {
+    double low = 0, high = 0;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf%n", &low, &high, &end) != 2 ||
+        static_cast<std::size_t>(end) != text.size() || !(low < high)) {
+        throw CLI::ValidationError("--zone", fmt::format("'{}' is not LOW,HIGH, two levels in metres", text));
+    }
+    return {low, high};
+}
+
+void add_damage(CLI::App& app, Action& action) {
+    auto words = std::make_shared<DamageWords>();
+    CLI::App* command =
+        app.add_subcommand("damage", "Damage of an armour layer between two frames of a run: N_od and S_d by zones");
+    command->footer("Example:\n  riprap damage runs/storm --units armour --zone -1.5,1.5 --out damage");
+    command->add_option("RUN", words->folder, "The run folder")->required();
+    command->add_option("--units", words->request.units,
+                        "How the names of armour units begin (default: all bodies that are free at the start)");
+    command
+        ->add_option("--zone", words->zones,
+                     "A range of levels to tell apart [m]; may be repeated (default: all levels only)")
+        ->type_name("LOW,HIGH")
+        ->allow_extra_args(false);
+    command->add_option("--from", words->request.from, "Time of the frame before [s] (default: the first)");
+    command->add_option("--to", words->request.to, "Time of the frame after [s] (default: the last)");
+    command
+        ->add_option("--width", words->request.width, "Width of the strip across the slope [m] (default: of the units)")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--direction", words->along, "Along the slope: X,Y or X,Y,Z (default: +x)")
+        ->delimiter(',')
+        ->expected(2, 3)
+        ->type_name("VECTOR");
+    command->add_option("--out", words->out, "Folder for damage.csv, damage_units.csv, damage_profile.csv, damage.svg");
+    command->add_flag("--json", words->as_json, "As JSON");
+    command->callback([&action, words] {
+        for (const std::string& zone : words->zones) {
+            words->request.zones.push_back(read_zone(zone));
+        }
+        const std::vector<double>& way = words->along;
+        if (!way.empty()) {
+            words->request.along = Vec3{way[0], way[1], way.size() > 2 ? way[2] : 0};
+        }
+        action = [words] {
+            end_with_reader();
+            return print_damage(words->folder, words->request, words->out, words->as_json);
         };
     });
 }
@@ -223,6 +331,7 @@ void add_commands_of_runs(CLI::App& app, Action& action) {
     add_surface(app, action);
     add_plot(app, action);
     add_waves(app, action);
+    add_damage(app, action);
     add_pack(app, action);
 }
 

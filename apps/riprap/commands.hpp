@@ -14,7 +14,8 @@ struct EnsembleOptions;
 }
 namespace riprap::view {
 struct RenderOptions;
-struct WaveRequest;
+struct DamageRequest;
+struct SeaRequest;
 }  // namespace riprap::view
 
 namespace riprap {
@@ -74,7 +75,13 @@ struct PlotOptions {
 /// Curves over time from the tables of a run.
 int plot_run(const PlotOptions& options);
 
-/// The waves that the level and surface gauges of a run recorded, and how much of them was reflected.
-int print_waves(const std::filesystem::path& folder, const view::WaveRequest& request, bool as_json);
+/// The waves that the gauges of a run recorded, and how much of them was reflected; of a sea, or where it `is_asked`,
+/// its numbers with bands over all runs, written into the folder `out` too where that is not empty.
+int print_waves(const std::vector<std::filesystem::path>& folders, const view::SeaRequest& request, bool is_asked,
+                const std::filesystem::path& out, bool as_json);
+
+/// Damage of an armour layer between two frames, written into the folder `out` too where that is not empty.
+int print_damage(const std::filesystem::path& folder, const view::DamageRequest& request,
+                 const std::filesystem::path& out, bool as_json);
 
 }  // namespace riprap
