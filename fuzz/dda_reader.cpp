@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "refusal.hpp"
-#include "riprap/geometry/dda_files.hpp"
+#include "riprap/geometry/dda_files/dda_files.hpp"
 
 // Reads bytes as a geometry and as an analysis of the 2D-DDA family.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "refusal.hpp"
-#include "riprap/geometry/height_grid.hpp"
+#include "riprap/geometry/ground/height_grid.hpp"
 
 // Reads bytes as heights, in both forms, and makes triangles of small grids. A grid has as many heights as it says, and
 // every point of a triangle is finite.

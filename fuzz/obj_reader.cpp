@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/obj.hpp"
+#include "riprap/geometry/surface/obj.hpp"
 
 #include "surface_fuzz.hpp"
 

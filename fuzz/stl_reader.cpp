@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/stl.hpp"
+#include "riprap/geometry/surface/stl.hpp"
 
 #include "surface_fuzz.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "riprap/geometry/surface.hpp"
-#include "riprap/geometry/surface_audit.hpp"
+#include "riprap/geometry/surface/surface.hpp"
+#include "riprap/geometry/surface/surface_audit.hpp"
 
 namespace riprap::geometry {
 

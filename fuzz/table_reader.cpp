@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "refusal.hpp"
-#include "riprap/geometry/number_table.hpp"
+#include "riprap/geometry/text/number_table.hpp"
 
 // Reads bytes as a table of numbers, with and without columns that are not read. What is read is finite, as wide as was
 // asked for, and has a place in the text.

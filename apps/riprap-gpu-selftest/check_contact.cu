@@ -6,7 +6,7 @@
 #include "few_shapes.hpp"
 #include "riprap/contact/narrowphase/distance_potential_plain.hpp"
 #include "riprap/core/parallel_cuda.hpp"
-#include "riprap/geometry/sharp_edges.hpp"
+#include "riprap/geometry/polyhedra/sharp_edges.hpp"
 #include "seconds_of.hpp"
 
 namespace selftest {

@@ -2,7 +2,7 @@
 // Sums over neighbours: the same functors on the device, on the host in float, and in the plain double sweep.
 #include "checks.hpp"
 #include "riprap/core/parallel_cuda.hpp"
-#include "riprap/fluid/particle/cell_sweep.hpp"
+#include "riprap/fluid/particle/sweep/cell_sweep.hpp"
 #include "some_water.hpp"
 
 namespace selftest {

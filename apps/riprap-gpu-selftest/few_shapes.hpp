@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 
 namespace selftest {
 

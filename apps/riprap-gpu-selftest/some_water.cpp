@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "riprap/fluid/particle/sweep_plain.hpp"
+#include "riprap/fluid/particle/sweep/sweep_plain.hpp"
 
 namespace selftest {
 

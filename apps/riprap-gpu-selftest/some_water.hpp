@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "riprap/bench/sph_pairs.hpp"
-#include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/particle/sweep/sweep.hpp"
 
 namespace selftest {
 

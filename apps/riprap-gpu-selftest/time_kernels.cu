@@ -4,7 +4,7 @@
 
 #include "checks.hpp"
 #include "riprap/core/parallel_cuda.hpp"
-#include "riprap/fluid/particle/cell_sweep.hpp"
+#include "riprap/fluid/particle/sweep/cell_sweep.hpp"
 #include "riprap/fluid/sph/continuity.hpp"
 #include "riprap/fluid/sph/device/device_sph.hpp"
 #include "riprap/fluid/sph/momentum.hpp"

@@ -7,7 +7,7 @@
 
 #include "built_in.hpp"
 #include "riprap/core/error.hpp"
-#include "riprap/run/find_case.hpp"
+#include "riprap/run/drive/find_case.hpp"
 #include "riprap/validation/result.hpp"
 #include "riprap/validation/validate.hpp"
 #include "riprap/view/validation_report.hpp"

@@ -7,8 +7,8 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/core/tint.hpp"
-#include "riprap/run/check_case.hpp"
-#include "riprap/run/find_case.hpp"
+#include "riprap/run/check/check_case.hpp"
+#include "riprap/run/drive/find_case.hpp"
 
 namespace riprap {
 

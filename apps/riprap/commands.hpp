@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "built_in.hpp"
-#include "riprap/run/matrix.hpp"
+#include "riprap/run/study/matrix.hpp"
 
 namespace riprap::run {
 struct EnsembleOptions;

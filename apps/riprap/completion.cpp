@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "command_line_parts.hpp"
-#include "riprap/run/provenance.hpp"
+#include "riprap/run/folder/provenance.hpp"
 
 namespace riprap {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/run/ensemble.hpp"
+#include "riprap/run/ensemble/ensemble.hpp"
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
-#include "riprap/run/sweep_plan.hpp"
+#include "riprap/run/study/sweep_plan.hpp"
 #include "riprap/view/plot_svg.hpp"
 #include "riprap/view/sweep_page.hpp"
 #include "slurm_options.hpp"

@@ -8,10 +8,10 @@
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
-#include "riprap/run/find_case.hpp"
-#include "riprap/run/progress.hpp"
-#include "riprap/run/published.hpp"
-#include "riprap/run/run_cost.hpp"
+#include "riprap/run/drive/find_case.hpp"
+#include "riprap/run/drive/progress.hpp"
+#include "riprap/run/drive/published.hpp"
+#include "riprap/run/drive/run_cost.hpp"
 
 namespace riprap {
 

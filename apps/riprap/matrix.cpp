@@ -7,7 +7,7 @@
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
-#include "riprap/run/find_case.hpp"
+#include "riprap/run/drive/find_case.hpp"
 
 namespace riprap {
 

@@ -7,7 +7,7 @@
 #include "command_line_parts.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/find_case.hpp"
+#include "riprap/run/drive/find_case.hpp"
 
 namespace riprap {
 

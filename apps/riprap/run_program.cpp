@@ -17,7 +17,7 @@
 #include "riprap/core/printable.hpp"
 #include "riprap/core/tint.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/signals.hpp"
+#include "riprap/run/drive/signals.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/view/bad_request.hpp"
 #include "riprap/view/stopped.hpp"

@@ -8,9 +8,9 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
-#include "riprap/run/progress.hpp"
-#include "riprap/run/run_case.hpp"
-#include "riprap/run/run_cost.hpp"
+#include "riprap/run/drive/progress.hpp"
+#include "riprap/run/drive/run_case.hpp"
+#include "riprap/run/drive/run_cost.hpp"
 
 namespace riprap {
 

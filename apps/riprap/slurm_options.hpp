@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "riprap/run/sweep_slurm.hpp"
+#include "riprap/run/study/sweep_slurm.hpp"
 
 namespace riprap {
 

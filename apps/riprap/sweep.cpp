@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/run/sweep.hpp"
+#include "riprap/run/study/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
+#include "riprap/run/drive/find_case.hpp"
 #include "riprap/run/ensemble/members.hpp"
-#include "riprap/run/find_case.hpp"
-#include "riprap/run/sweep_plan.hpp"
-#include "riprap/run/sweep_processes.hpp"
+#include "riprap/run/study/sweep_plan.hpp"
+#include "riprap/run/study/sweep_processes.hpp"
 #include "riprap/view/sweep_page.hpp"
 #include "slurm_options.hpp"
 

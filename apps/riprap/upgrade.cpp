@@ -9,8 +9,8 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/find_case.hpp"
-#include "riprap/run/run_folder.hpp"
+#include "riprap/run/drive/find_case.hpp"
+#include "riprap/run/folder/run_folder.hpp"
 #include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/upgrade.hpp"
 

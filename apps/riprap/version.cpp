@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "riprap/run/provenance.hpp"
+#include "riprap/run/folder/provenance.hpp"
 
 namespace riprap {
 

@@ -7,8 +7,8 @@
 
 #include <filesystem>
 
-#include "riprap/run/check_case.hpp"
-#include "riprap/run/find_case.hpp"
+#include "riprap/run/check/check_case.hpp"
+#include "riprap/run/drive/find_case.hpp"
 #include "values.hpp"
 
 namespace riprap::python {

@@ -9,7 +9,7 @@
 
 #include "case.hpp"
 #include "riprap/run/ensemble/bands.hpp"
-#include "riprap/run/spreads.hpp"
+#include "riprap/run/figures/spreads.hpp"
 #include "riprap/view/sweep_page.hpp"
 #include "values.hpp"
 

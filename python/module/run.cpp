@@ -13,8 +13,8 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/run_case.hpp"
-#include "riprap/run/run_folder.hpp"
+#include "riprap/run/drive/run_case.hpp"
+#include "riprap/run/folder/run_folder.hpp"
 #include "simulation.hpp"
 #include "values.hpp"
 

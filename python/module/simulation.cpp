@@ -11,8 +11,8 @@
 #include "errors.hpp"
 #include "riprap/core/timer.hpp"
 #include "riprap/io/output/output_kinds.hpp"
-#include "riprap/run/outputs.hpp"
-#include "riprap/run/state_hash.hpp"
+#include "riprap/run/simulate/outputs.hpp"
+#include "riprap/run/simulate/state_hash.hpp"
 #include "values.hpp"
 
 namespace riprap::python {

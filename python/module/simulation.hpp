@@ -9,8 +9,8 @@
 
 #include "case.hpp"
 #include "field_views.hpp"
-#include "riprap/run/schedule.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/schedule.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 
 namespace riprap::python {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::body {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "cli/run_fixture.hpp"
-#include "riprap/run/sweep_slurm.hpp"
+#include "riprap/run/study/sweep_slurm.hpp"
 
 namespace riprap {
 namespace {

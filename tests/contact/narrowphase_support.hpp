@@ -10,9 +10,9 @@
 #include "riprap/contact/narrowphase/distance_potential.hpp"
 #include "riprap/contact/narrowphase/distance_potential_plain.hpp"
 #include "riprap/contact/narrowphase/surface_in_field.hpp"
-#include "riprap/geometry/convex_hull.hpp"
-#include "riprap/geometry/shape_set.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/convex_hull.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::contact::testing {
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "riprap/contact/common_plane_physics.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::contact {
 namespace {

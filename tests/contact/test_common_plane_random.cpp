@@ -8,9 +8,9 @@
 
 #include "riprap/contact/narrowphase/common_plane_contacts.hpp"
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/convex_hull.hpp"
-#include "riprap/geometry/random_bits.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/convex_hull.hpp"
+#include "riprap/geometry/polyhedra/random_bits.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::contact {
 namespace {

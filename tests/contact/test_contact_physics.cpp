@@ -3,7 +3,7 @@
 
 #include "riprap/contact/find_contacts.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::contact {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "riprap/contact/narrowphase/distance_potential.hpp"
 #include "riprap/core/quat.hpp"
-#include "riprap/geometry/shape_set.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::contact {
 namespace {

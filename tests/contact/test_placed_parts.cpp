@@ -3,7 +3,7 @@
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/contact/placed_parts.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::contact {
 namespace {

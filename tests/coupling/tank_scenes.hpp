@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
-#include "riprap/geometry/shape_set.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::test {
 

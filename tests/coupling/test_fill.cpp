@@ -9,7 +9,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/coupling/fill.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "coupling/tank_scenes.hpp"
-#include "riprap/geometry/convex_query.hpp"
-#include "riprap/geometry/ground_cells.hpp"
+#include "riprap/geometry/ground/ground_cells.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "coupling/tank_scenes.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::coupling {
 namespace {

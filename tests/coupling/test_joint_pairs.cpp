@@ -9,7 +9,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/sweep/cell_grid.hpp"
 
 namespace riprap::coupling {
 namespace {

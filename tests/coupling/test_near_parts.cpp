@@ -7,10 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "riprap/fluid/particle/periodic_images.hpp"
-#include "riprap/geometry/convex_query.hpp"
-#include "riprap/geometry/shape_set.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::coupling {
 namespace {

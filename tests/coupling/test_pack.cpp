@@ -14,7 +14,7 @@
 #include "riprap/coupling/pack_sums.hpp"
 #include "riprap/coupling/samples/sample_shapes.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -7,7 +7,7 @@
 #include "coupling/tank_scenes.hpp"
 #include "riprap/coupling/particle_walls/penalty_walls.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
-#include "riprap/geometry/ground_cells.hpp"
+#include "riprap/geometry/ground/ground_cells.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -15,7 +15,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/samples/sample_shapes.hpp"
-#include "riprap/geometry/clip.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "riprap/core/quat.hpp"
-#include "riprap/geometry/polyhedron.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
 
 namespace riprap::geometry::testing {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "riprap/geometry/polyhedron.hpp"
-#include "riprap/geometry/surface.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
+#include "riprap/geometry/surface/surface.hpp"
 
 namespace riprap::geometry {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "riprap/geometry/armour_units.hpp"
-#include "riprap/geometry/random_bits.hpp"
+#include "riprap/geometry/polyhedra/armour_units.hpp"
+#include "riprap/geometry/polyhedra/random_bits.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/chebyshev.hpp"
+#include "riprap/geometry/polyhedra/chebyshev.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "geometry/random_shapes.hpp"
-#include "riprap/geometry/merge_faces.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/merge_faces.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::geometry {
 namespace {

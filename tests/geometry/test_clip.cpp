@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/clip.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "geometry/sample_surfaces.hpp"
-#include "riprap/geometry/random_bits.hpp"
+#include "riprap/geometry/polyhedra/random_bits.hpp"
 
 namespace riprap::geometry {
 namespace {

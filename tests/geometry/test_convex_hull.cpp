@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/convex_hull.hpp"
+#include "riprap/geometry/polyhedra/convex_hull.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "geometry/random_shapes.hpp"
-#include "riprap/geometry/half_edge.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/half_edge.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/geometry/convex_pieces.hpp"
+#include "riprap/geometry/planar/convex_pieces.hpp"
 
 namespace riprap::geometry {
 namespace {

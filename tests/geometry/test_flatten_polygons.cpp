@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/geometry/flatten_polygons.hpp"
-#include "riprap/geometry/merge_faces.hpp"
-#include "riprap/geometry/round_shapes.hpp"
-#include "riprap/geometry/shape_set.hpp"
-#include "riprap/geometry/shapes.hpp"
-#include "riprap/geometry/sound_part.hpp"
+#include "riprap/geometry/polyhedra/flatten_polygons.hpp"
+#include "riprap/geometry/polyhedra/merge_faces.hpp"
+#include "riprap/geometry/polyhedra/round_shapes.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
+#include "riprap/geometry/polyhedra/sound_part.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -5,12 +5,12 @@
 #include <limits>
 
 #include "riprap/core/error.hpp"
-#include "riprap/geometry/convex_query.hpp"
-#include "riprap/geometry/ground_cells.hpp"
-#include "riprap/geometry/height_grid.hpp"
-#include "riprap/geometry/shape_set.hpp"
-#include "riprap/geometry/triangle.hpp"
-#include "riprap/geometry/triangle_field.hpp"
+#include "riprap/geometry/ground/ground_cells.hpp"
+#include "riprap/geometry/ground/height_grid.hpp"
+#include "riprap/geometry/ground/triangle_field.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
+#include "riprap/geometry/surface/triangle.hpp"
 
 namespace riprap::geometry {
 namespace {

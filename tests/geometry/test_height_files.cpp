@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/geometry/height_grid.hpp"
-#include "riprap/geometry/mesh_facts.hpp"
+#include "riprap/geometry/ground/height_grid.hpp"
+#include "riprap/geometry/surface/mesh_facts.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/joint_sets.hpp"
+#include "riprap/geometry/polyhedra/joint_sets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "geometry/sample_surfaces.hpp"
-#include "riprap/geometry/clip.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "riprap/geometry/mesh_audit.hpp"
-#include "riprap/geometry/mesh_facts.hpp"
-#include "riprap/geometry/obj.hpp"
+#include "riprap/geometry/surface/mesh_audit.hpp"
+#include "riprap/geometry/surface/mesh_facts.hpp"
+#include "riprap/geometry/surface/obj.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "riprap/geometry/dda_files.hpp"
-#include "riprap/geometry/planar_cut.hpp"
-#include "riprap/geometry/planar_polygon.hpp"
+#include "riprap/geometry/dda_files/dda_files.hpp"
+#include "riprap/geometry/planar/planar_cut.hpp"
+#include "riprap/geometry/planar/planar_polygon.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/polyhedron.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "geometry/random_shapes.hpp"
-#include "riprap/geometry/merge_faces.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/merge_faces.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::geometry {
 namespace {

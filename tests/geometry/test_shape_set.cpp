@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "geometry/random_shapes.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::geometry {
 namespace {

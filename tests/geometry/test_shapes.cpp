@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/round_shapes.hpp"
+#include "riprap/geometry/polyhedra/round_shapes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

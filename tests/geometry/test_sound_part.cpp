@@ -5,11 +5,11 @@
 #include <functional>
 #include <vector>
 
-#include "riprap/geometry/convex_hull.hpp"
-#include "riprap/geometry/round_shapes.hpp"
-#include "riprap/geometry/shape_set.hpp"
-#include "riprap/geometry/shapes.hpp"
-#include "riprap/geometry/sound_part.hpp"
+#include "riprap/geometry/polyhedra/convex_hull.hpp"
+#include "riprap/geometry/polyhedra/round_shapes.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
+#include "riprap/geometry/polyhedra/sound_part.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/geometry/surface_audit.hpp"
+#include "riprap/geometry/surface/surface_audit.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "geometry/sample_surfaces.hpp"
-#include "riprap/geometry/clip.hpp"
-#include "riprap/geometry/obj.hpp"
-#include "riprap/geometry/stl.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
+#include "riprap/geometry/surface/obj.hpp"
+#include "riprap/geometry/surface/stl.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "riprap/geometry/surface_features.hpp"
+#include "riprap/geometry/surface/surface_features.hpp"
 
 namespace riprap::geometry {
 namespace {

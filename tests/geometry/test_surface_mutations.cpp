@@ -6,9 +6,9 @@
 
 #include "../../fuzz/surface_fuzz.hpp"
 #include "geometry/sample_surfaces.hpp"
-#include "riprap/geometry/obj.hpp"
-#include "riprap/geometry/random_bits.hpp"
-#include "riprap/geometry/stl.hpp"
+#include "riprap/geometry/polyhedra/random_bits.hpp"
+#include "riprap/geometry/surface/obj.hpp"
+#include "riprap/geometry/surface/stl.hpp"
 
 namespace riprap::geometry {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "geometry/sample_surfaces.hpp"
-#include "riprap/geometry/obj.hpp"
-#include "riprap/geometry/stl.hpp"
-#include "riprap/geometry/text_reader.hpp"
+#include "riprap/geometry/surface/obj.hpp"
+#include "riprap/geometry/surface/stl.hpp"
+#include "riprap/geometry/text/text_reader.hpp"
 
 namespace riprap::geometry {
 namespace {

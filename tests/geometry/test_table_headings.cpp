@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "riprap/geometry/number_table.hpp"
+#include "riprap/geometry/text/number_table.hpp"
 
 namespace riprap::geometry {
 namespace {

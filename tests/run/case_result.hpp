@@ -8,7 +8,7 @@
 #include <string>
 
 #include "riprap/core/fields.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 
 namespace riprap::run {
 

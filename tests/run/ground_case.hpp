@@ -11,7 +11,7 @@
 #include <string>
 
 #include "io/temporary_folder.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 
 namespace riprap::run {
 

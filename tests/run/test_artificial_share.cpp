@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "riprap/run/ledger_verdict.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/ledger_verdict.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

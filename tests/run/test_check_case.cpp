@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "riprap/run/check_case.hpp"
+#include "riprap/run/check/check_case.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 

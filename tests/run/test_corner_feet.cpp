@@ -7,7 +7,7 @@
 #include <string>
 
 #include "riprap/core/quat.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

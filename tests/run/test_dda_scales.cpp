@@ -11,7 +11,7 @@
 #include <tuple>
 #include <variant>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 
 namespace riprap::run {
 namespace {

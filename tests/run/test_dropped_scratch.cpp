@@ -9,7 +9,7 @@
 #include <set>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/geometry/random_bits.hpp"
+#include "riprap/geometry/polyhedra/random_bits.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 

@@ -10,8 +10,8 @@
 #include <regex>
 #include <sstream>
 
-#include "riprap/run/end_causes.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/remedy/end_causes.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

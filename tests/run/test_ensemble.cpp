@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/run/ensemble.hpp"
+#include "riprap/run/ensemble/ensemble.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "io/temporary_folder.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
-#include "riprap/run/spreads.hpp"
+#include "riprap/run/figures/spreads.hpp"
 
 namespace riprap::run {
 namespace {

@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/keys/key_table.hpp"
 
 namespace riprap::run {

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/expects.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/figures/expects.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

@@ -7,7 +7,7 @@
 #include <complex>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/running_figures.hpp"
+#include "riprap/run/figures/running_figures.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/wave/wave_analysis.hpp"
 

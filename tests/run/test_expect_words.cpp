@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/expects.hpp"
+#include "riprap/run/figures/expects.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap {

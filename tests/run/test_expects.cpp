@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/expects.hpp"
+#include "riprap/run/figures/expects.hpp"
 #include "run/falling_blocks.hpp"
 
 namespace riprap::run {

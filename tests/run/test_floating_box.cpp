@@ -2,7 +2,7 @@
 // One floating box finds its draft in every fluid that one word chooses.
 #include <gtest/gtest.h>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/expects.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/figures/expects.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/column_group.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 
 namespace riprap::run {
 namespace {

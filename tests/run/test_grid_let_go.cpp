@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "io/temporary_folder.hpp"
-#include "riprap/run/passage_verdict.hpp"
-#include "riprap/run/restart.hpp"
-#include "riprap/run/run_folder.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/folder/run_folder.hpp"
+#include "riprap/run/simulate/passage_verdict.hpp"
+#include "riprap/run/simulate/restart.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 
 namespace riprap::run {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/run/restart.hpp"
-#include "riprap/run/run_folder.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/folder/run_folder.hpp"
+#include "riprap/run/simulate/restart.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 
 namespace riprap::run {
 namespace {

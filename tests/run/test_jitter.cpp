@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

@@ -12,8 +12,8 @@
 #include <sstream>
 #include <vector>
 
-#include "riprap/run/simulation.hpp"
-#include "riprap/run/summary.hpp"
+#include "riprap/run/simulate/simulation.hpp"
+#include "riprap/run/simulate/summary.hpp"
 #include "riprap/sim/ledger_table.hpp"
 #include "riprap/sim/quantity.hpp"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/matrix.hpp"
-#include "riprap/run/method_scales.hpp"
-#include "riprap/run/missing_physics.hpp"
+#include "riprap/run/study/matrix.hpp"
+#include "riprap/run/study/method_scales.hpp"
+#include "riprap/run/study/missing_physics.hpp"
 #include "riprap/scene/text/toml_reader.hpp"
 
 namespace riprap::run {

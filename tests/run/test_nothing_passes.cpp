@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "riprap/run/check_case.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/check/check_case.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

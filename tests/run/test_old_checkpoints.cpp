@@ -5,8 +5,8 @@
 #include "io/older_checkpoint.hpp"
 #include "io/temporary_folder.hpp"
 #include "riprap/io/csv_reader.hpp"
-#include "riprap/run/restart.hpp"
-#include "riprap/run/run_case.hpp"
+#include "riprap/run/drive/run_case.hpp"
+#include "riprap/run/simulate/restart.hpp"
 #include "riprap/sim/advance.hpp"
 #include "run/falling_blocks.hpp"
 

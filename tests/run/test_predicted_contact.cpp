@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "riprap/run/check_case.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/check/check_case.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

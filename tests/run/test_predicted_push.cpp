@@ -9,8 +9,8 @@
 #include <numbers>
 #include <regex>
 
-#include "riprap/run/check_case.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/check/check_case.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/published.hpp"
+#include "riprap/run/drive/published.hpp"
 
 namespace riprap::run {
 namespace {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <variant>
 
-#include "riprap/run/ledger_verdict.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/ledger_verdict.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/ledger_account.hpp"
 #include "riprap/sim/ledger_table.hpp"

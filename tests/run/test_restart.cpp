@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "io/temporary_folder.hpp"
-#include "riprap/run/restart.hpp"
+#include "riprap/run/simulate/restart.hpp"
 #include "riprap/sim/advance.hpp"
 #include "run/falling_blocks.hpp"
 

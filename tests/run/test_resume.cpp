@@ -13,8 +13,8 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/run_case.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/drive/run_case.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 
 namespace riprap::run {
 namespace {

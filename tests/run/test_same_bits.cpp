@@ -8,8 +8,8 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/geometry/random_bits.hpp"
-#include "riprap/run/restart.hpp"
+#include "riprap/geometry/polyhedra/random_bits.hpp"
+#include "riprap/run/simulate/restart.hpp"
 #include "riprap/sim/advance.hpp"
 
 namespace riprap::run {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "riprap/run/schedule.hpp"
+#include "riprap/run/simulate/schedule.hpp"
 
 namespace riprap::run {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

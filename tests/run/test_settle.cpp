@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 
 namespace riprap::run {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/sim/time_step.hpp"
 
 namespace riprap::run {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "riprap/io/scene_frame.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/shown.hpp"
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/shown.hpp"
 

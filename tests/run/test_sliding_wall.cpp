@@ -8,7 +8,7 @@
 
 #include "riprap/core/fields.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/quantity.hpp"

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/solid/sphere_dem/default_stiffness.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/run/step_watch.hpp"
+#include "riprap/run/simulate/step_watch.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

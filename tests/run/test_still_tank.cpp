@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/quantity.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/core/error.hpp"
-#include "riprap/run/sweep.hpp"
-#include "riprap/run/sweep_plan.hpp"
+#include "riprap/run/study/sweep.hpp"
+#include "riprap/run/study/sweep_plan.hpp"
 
 namespace riprap {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Angle by which blocks tip early as their feet are elastic, as `riprap check` predicts it.
-#include "riprap/run/tipping_bias.hpp"
+#include "riprap/run/remedy/tipping_bias.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "riprap/contact/elastic_foot.hpp"
-#include "riprap/run/check_case.hpp"
+#include "riprap/run/check/check_case.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

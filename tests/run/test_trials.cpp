@@ -8,7 +8,7 @@
 #include "io/temporary_folder.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/timer.hpp"
-#include "riprap/run/restart.hpp"
+#include "riprap/run/simulate/restart.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/trial.hpp"

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "riprap/run/ledger_verdict.hpp"
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/ledger_verdict.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/prediction.hpp"
 

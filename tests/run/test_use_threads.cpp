@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/run/run_case.hpp"
+#include "riprap/run/drive/run_case.hpp"
 
 namespace riprap::run {
 namespace {

@@ -32,8 +32,8 @@ std::string reader_sources() {
         }
     }
     append("src/riprap/scene/read_case.cpp");
-    append("src/riprap/run/ensemble.cpp");           // [[spread]]
-    append("src/riprap/run/settle.cpp");             // settle_static and others
+    append("src/riprap/run/ensemble/ensemble.cpp");  // [[spread]]
+    append("src/riprap/run/simulate/settle.cpp");    // settle_static and others
     append("src/riprap/validation/case_files.cpp");  // published, close, bookkeeping
     static const std::regex row("(optional_key|required_key|key_or)\\(\\s*\"[a-z_]+\"");
     return std::regex_replace(text, row, "");

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/sim/advance.hpp"
 
 namespace riprap::sim {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/solid/solid_scene.hpp"
 
 // Scenes of bodies for tests of solid methods: what the reader of cases makes, without a case.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/solid/affine/step_update.hpp"
 #include "riprap/solid/implicit_dda/system.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/solid/explicit_dda/explicit_dda.hpp"
 #include "riprap/solid/polyhedral_dem/polyhedral_dem.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem.hpp"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "riprap/geometry/round_shapes.hpp"
+#include "riprap/geometry/polyhedra/round_shapes.hpp"
 #include "riprap/solid/affine/round_blocks.hpp"
 #include "riprap/solid/explicit_dda/advance.hpp"
 #include "riprap/solid/implicit_dda/advance.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::solid {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "riprap/run/simulation.hpp"
+#include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/validation/case_files.hpp"
 

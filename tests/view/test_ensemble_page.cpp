@@ -7,7 +7,7 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/ensemble.hpp"
+#include "riprap/run/ensemble/ensemble.hpp"
 #include "riprap/view/sweep_page.hpp"
 
 namespace riprap::view {

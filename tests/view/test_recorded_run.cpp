@@ -14,7 +14,7 @@
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/vtp.hpp"
 #include "riprap/io/vtp_reader.hpp"
-#include "riprap/run/run_case.hpp"
+#include "riprap/run/drive/run_case.hpp"
 #include "riprap/view/chunk.hpp"
 #include "riprap/view/pack_bodies.hpp"
 #include "riprap/view/page_content.hpp"

@@ -8,7 +8,7 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/provenance.hpp"
+#include "riprap/run/folder/provenance.hpp"
 #include "riprap/view/validation_report.hpp"
 
 namespace riprap::view {

@@ -10,7 +10,7 @@
 #include "riprap/bench/machine.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/timer.hpp"
-#include "riprap/run/provenance.hpp"
+#include "riprap/run/folder/provenance.hpp"
 
 namespace riprap::bench {
 

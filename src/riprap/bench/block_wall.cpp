@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::bench {
 

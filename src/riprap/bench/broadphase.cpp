@@ -14,7 +14,7 @@
 #include "riprap/contact/broadphase/multilevel_grid.hpp"
 #include "riprap/contact/broadphase/single_grid.hpp"
 #include "riprap/core/error.hpp"
-#include "riprap/geometry/random_bits.hpp"
+#include "riprap/geometry/polyhedra/random_bits.hpp"
 
 namespace riprap::bench {
 

@@ -8,10 +8,10 @@
 #include <numbers>
 
 #include "riprap/core/error.hpp"
-#include "riprap/geometry/convex_hull.hpp"
-#include "riprap/geometry/random_bits.hpp"
-#include "riprap/geometry/shapes.hpp"
-#include "riprap/geometry/voronoi.hpp"
+#include "riprap/geometry/polyhedra/convex_hull.hpp"
+#include "riprap/geometry/polyhedra/random_bits.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
+#include "riprap/geometry/polyhedra/voronoi.hpp"
 
 namespace riprap::bench {
 

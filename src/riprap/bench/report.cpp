@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "riprap/bench/bench.hpp"
-#include "riprap/run/provenance.hpp"
+#include "riprap/run/folder/provenance.hpp"
 
 namespace riprap::bench {
 

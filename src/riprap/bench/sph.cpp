@@ -10,7 +10,7 @@
 #include "riprap/bench/sph_scene.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/sort.hpp"
-#include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/particle/sweep/sweep.hpp"
 #include "riprap/fluid/sph/delta_sph.hpp"
 
 namespace riprap::bench {

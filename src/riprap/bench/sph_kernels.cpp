@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/bench/sph_pairs.hpp"
-#include "riprap/fluid/particle/sweep_kernel.hpp"
+#include "riprap/fluid/particle/sweep/sweep_kernel.hpp"
 
 namespace riprap::fluid {
 

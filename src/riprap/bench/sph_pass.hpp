@@ -7,7 +7,7 @@
 #include "riprap/bench/sph_pairs.hpp"
 #include "riprap/bench/sph_scene.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/particle/sweep/sweep.hpp"
 
 namespace riprap::bench {
 

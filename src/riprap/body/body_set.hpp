@@ -10,7 +10,7 @@
 #include "riprap/core/fields.hpp"
 #include "riprap/core/ids.hpp"
 #include "riprap/core/sym3.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::body {
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "riprap/body/body_set.hpp"
-#include "riprap/geometry/triangle_field.hpp"
+#include "riprap/geometry/ground/triangle_field.hpp"
 
 namespace riprap::body {
 
 /// Tells whether a body is ground: it does not follow forces, and each of its parts has one face that carries a field,
-/// as the cells under a surface have (geometry/ground_cells.hpp). Its surface is then the union of these faces.
+/// as the cells under a surface have (geometry/ground/ground_cells.hpp). Its surface is then the union of these faces.
 bool is_ground(const BodySet& bodies, const geometry::ShapeSet& shapes, BodyId body);
 
 /// The surface of ground, in the frame of the body.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/number_table.hpp"
+#include "riprap/geometry/text/number_table.hpp"
 
 namespace riprap::body {
 

@@ -6,8 +6,8 @@
 
 #include "riprap/core/ids.hpp"
 #include "riprap/core/mat3.hpp"
-#include "riprap/geometry/outcome.hpp"
-#include "riprap/geometry/polyhedron.hpp"
+#include "riprap/geometry/polyhedra/outcome.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
 
 namespace riprap::body {
 

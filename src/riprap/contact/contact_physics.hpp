@@ -9,7 +9,7 @@
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/contact/frame.hpp"
 #include "riprap/contact/narrowphase/separating_cache.hpp"
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 #include "riprap/material/material_set.hpp"
 
 namespace riprap::contact {

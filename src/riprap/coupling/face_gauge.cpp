@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::coupling {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "riprap/body/body_set.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

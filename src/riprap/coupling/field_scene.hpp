@@ -9,7 +9,7 @@
 #include "riprap/coupling/fill.hpp"
 #include "riprap/fluid/flow/flows.hpp"
 #include "riprap/fluid/grid/settings.hpp"
-#include "riprap/fluid/particle/domain.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
 #include "riprap/wave/irregular_wave.hpp"
 
 namespace riprap::coupling {

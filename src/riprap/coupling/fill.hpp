@@ -10,8 +10,8 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/geometry/polyhedron.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

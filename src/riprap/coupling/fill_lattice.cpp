@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "riprap/core/error.hpp"
-#include "riprap/geometry/clip.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
 
 namespace riprap::coupling {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "riprap/coupling/fill.hpp"
-#include "riprap/geometry/polyhedron.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
 
 // The regions of water as planes, and the lattice of places that they share (fill.hpp).
 

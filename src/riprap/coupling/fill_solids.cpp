@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
-#include "riprap/fluid/particle/periodic_images.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::coupling {
 

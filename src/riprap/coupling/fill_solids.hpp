@@ -6,9 +6,9 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/body/ground.hpp"
 #include "riprap/core/quat.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
-#include "riprap/fluid/particle/domain.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/fluid/particle/sweep/cell_grid.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

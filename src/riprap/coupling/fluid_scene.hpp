@@ -8,7 +8,7 @@
 #include "riprap/body/gravity.hpp"
 #include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

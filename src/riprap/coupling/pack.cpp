@@ -13,7 +13,7 @@
 #include "riprap/coupling/zone.hpp"
 #include "riprap/fluid/mps_operators/mps_lattice.hpp"
 #include "riprap/fluid/particle/sort.hpp"
-#include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/particle/sweep/sweep.hpp"
 
 namespace riprap::coupling {
 

@@ -8,7 +8,7 @@
 #include "riprap/coupling/fill.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

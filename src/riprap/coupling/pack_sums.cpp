@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/coupling/pack_sums.hpp"
 
-#include "riprap/fluid/particle/sweep_kernel.hpp"
+#include "riprap/fluid/particle/sweep/sweep_kernel.hpp"
 
 namespace riprap::fluid {
 

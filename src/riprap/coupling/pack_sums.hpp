@@ -2,7 +2,7 @@
 #pragma once
 
 #include "riprap/fluid/particle/kernel.hpp"
-#include "riprap/fluid/particle/math.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
 
 namespace riprap::fluid {
 

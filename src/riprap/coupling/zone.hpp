@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "riprap/fluid/particle/cell_grid.hpp"
-#include "riprap/fluid/particle/periodic_images.hpp"
+#include "riprap/fluid/particle/sweep/cell_grid.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
 
 namespace riprap::coupling {
 

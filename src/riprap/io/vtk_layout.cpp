@@ -10,7 +10,7 @@
 #include <string>
 
 #include "riprap/core/error.hpp"
-#include "riprap/geometry/text_reader.hpp"
+#include "riprap/geometry/text/text_reader.hpp"
 #include "riprap/io/base64.hpp"
 
 namespace riprap::io {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/geometry/number_grain.hpp"
-#include "riprap/geometry/text_reader.hpp"
+#include "riprap/geometry/surface/number_grain.hpp"
+#include "riprap/geometry/text/text_reader.hpp"
 #include "riprap/io/vtk_layout.hpp"
 
 namespace riprap::io {

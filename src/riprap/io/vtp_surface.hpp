@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "riprap/geometry/surface.hpp"
+#include "riprap/geometry/surface/surface.hpp"
 
 namespace riprap::io {
 

@@ -17,7 +17,7 @@
 #include "riprap/body/supports.hpp"
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/fluid/gauge/gauge.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
 #include "riprap/sim/settings.hpp"
 #include "riprap/solid/solid_scene.hpp"

@@ -13,7 +13,7 @@
 #include "riprap/body/point_loads.hpp"
 #include "riprap/body/supports.hpp"
 #include "riprap/contact/contact_set.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
 #include "riprap/solid/kick_report.hpp"
 #include "riprap/solid/solid_times.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "riprap/body/body_set.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::solid {
 

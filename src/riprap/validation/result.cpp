@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/provenance.hpp"
+#include "riprap/run/folder/provenance.hpp"
 
 namespace riprap::validation {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "riprap/run/provenance.hpp"
+#include "riprap/run/folder/provenance.hpp"
 #include "riprap/view/body_extremes.hpp"
 #include "riprap/view/chunk.hpp"
 #include "riprap/view/pack_bodies.hpp"

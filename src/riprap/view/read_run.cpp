@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "riprap/run/find_case.hpp"
-#include "riprap/run/run_folder.hpp"
+#include "riprap/run/drive/find_case.hpp"
+#include "riprap/run/folder/run_folder.hpp"
 #include "riprap/view/recorded_parts.hpp"
 
 namespace riprap::view {

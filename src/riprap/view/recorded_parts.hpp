@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "riprap/run/run_folder.hpp"
+#include "riprap/run/folder/run_folder.hpp"
 #include "riprap/view/recorded_run.hpp"
 
 // Parts of a run folder, read one by one: see read_run.

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "riprap/run/signals.hpp"
+#include "riprap/run/drive/signals.hpp"
 
 namespace riprap::view {
 

@@ -3,7 +3,7 @@
 
 #include <exception>
 
-#include "riprap/run/signals.hpp"
+#include "riprap/run/drive/signals.hpp"
 
 namespace riprap::view {
 

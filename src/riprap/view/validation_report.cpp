@@ -13,7 +13,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/provenance.hpp"
+#include "riprap/run/folder/provenance.hpp"
 #include "riprap/view/cross_table.hpp"
 #include "riprap/view/markdown.hpp"
 

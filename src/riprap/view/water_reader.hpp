@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "riprap/run/signals.hpp"
+#include "riprap/run/drive/signals.hpp"
 #include "riprap/view/pack_water.hpp"
 #include "riprap/view/recorded_run.hpp"
 

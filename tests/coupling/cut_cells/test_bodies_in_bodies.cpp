@@ -7,7 +7,7 @@
 #include "riprap/coupling/cut_cells/cut_bodies.hpp"
 #include "riprap/coupling/cut_cells/cut_loads.hpp"
 #include "riprap/fluid/grid/grid_step.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::coupling {
 namespace {

@@ -10,7 +10,7 @@
 #include "riprap/fluid/grid/grid_step.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/surface.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::coupling {
 namespace {

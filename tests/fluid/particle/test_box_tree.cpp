@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "fluid/particle/sample.hpp"
-#include "riprap/fluid/particle/box_tree.hpp"
+#include "riprap/fluid/particle/sweep/box_tree.hpp"
 
 namespace riprap::fluid {
 namespace {

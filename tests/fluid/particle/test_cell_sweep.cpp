@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/particle/cell_sweep.hpp"
+#include "riprap/fluid/particle/sweep/cell_sweep.hpp"
 
 #include <gmock/gmock.h>
 
 #include "fluid/particle/sample.hpp"
-#include "riprap/fluid/particle/sweep_plain.hpp"
+#include "riprap/fluid/particle/sweep/sweep_plain.hpp"
 
 namespace riprap::fluid {
 namespace {

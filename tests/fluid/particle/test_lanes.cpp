@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "riprap/fluid/particle/lanes.hpp"
+#include "riprap/fluid/particle/sweep/lanes.hpp"
 
 namespace riprap::fluid {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "riprap/fluid/particle/small_numbers.hpp"
+#include "riprap/fluid/particle/sweep/small_numbers.hpp"
 
 namespace riprap::fluid {
 namespace {

@@ -7,9 +7,9 @@
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/particle/sort.hpp"
-#include "riprap/fluid/particle/sweep_kernel.hpp"
-#include "riprap/fluid/particle/sweep_lists.hpp"
-#include "riprap/fluid/particle/sweep_plain.hpp"
+#include "riprap/fluid/particle/sweep/sweep_kernel.hpp"
+#include "riprap/fluid/particle/sweep/sweep_lists.hpp"
+#include "riprap/fluid/particle/sweep/sweep_plain.hpp"
 
 namespace riprap::fluid {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "riprap/fluid/particle/sweep_plain.hpp"
+#include "riprap/fluid/particle/sweep/sweep_plain.hpp"
 
 #include <gmock/gmock.h>
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "riprap/geometry/convex_pieces.hpp"
+#include "riprap/geometry/planar/convex_pieces.hpp"
 #include "riprap/solid/planar_dda/make_blocks.hpp"
 #include "riprap/solid/planar_dda/step.hpp"
 #include "solid/body_scene.hpp"

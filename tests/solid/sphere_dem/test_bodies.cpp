@@ -5,7 +5,7 @@
 #include <random>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/solid/sphere_dem/sphere_world.hpp"
 #include "riprap/solid/sphere_dem/time_step.hpp"
 

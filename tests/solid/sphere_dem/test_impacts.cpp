@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "riprap/contact/law/hertz.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/solid/sphere_dem/sphere_world.hpp"
 
 namespace riprap::solid::sphere_dem {

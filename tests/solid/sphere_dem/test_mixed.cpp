@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/solid/polyhedral_dem/polyhedral_dem.hpp"
 #include "riprap/solid/sphere_dem/sphere_dem.hpp"
 

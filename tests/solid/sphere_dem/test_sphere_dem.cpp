@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::solid {
 namespace {

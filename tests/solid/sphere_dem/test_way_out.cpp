@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "riprap/geometry/convex_hull.hpp"
-#include "riprap/geometry/shape_set.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/convex_hull.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::solid::sphere_dem {
 namespace {

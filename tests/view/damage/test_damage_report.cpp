@@ -11,7 +11,7 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/run_case.hpp"
+#include "riprap/run/drive/run_case.hpp"
 #include "riprap/view/bad_request.hpp"
 #include "riprap/view/damage/survey.hpp"
 #include "riprap/view/read_run.hpp"

@@ -7,7 +7,7 @@
 
 #include "riprap/contact/contact_set.hpp"
 #include "riprap/contact/frame.hpp"
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 
 namespace riprap::contact {
 

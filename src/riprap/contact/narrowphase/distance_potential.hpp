@@ -5,7 +5,7 @@
 #include "riprap/contact/frame.hpp"
 #include "riprap/contact/narrowphase/distance_potential_options.hpp"
 #include "riprap/contact/narrowphase/separating_cache.hpp"
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 
 namespace riprap::contact {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "riprap/contact/frame.hpp"
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 
 namespace riprap::contact {
 

@@ -3,7 +3,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/half_edge.hpp"
+#include "riprap/geometry/polyhedra/half_edge.hpp"
 
 namespace riprap::contact {
 

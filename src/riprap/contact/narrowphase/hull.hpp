@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "riprap/core/vec3.hpp"
-#include "riprap/geometry/polyhedron.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
 
 namespace riprap::contact {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "riprap/core/wide.hpp"
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 
 namespace riprap::contact {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "riprap/contact/frame.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::contact {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "riprap/contact/narrowphase/sphere_convex.hpp"
-#include "riprap/geometry/triangle.hpp"
+#include "riprap/geometry/surface/triangle.hpp"
 
 namespace riprap::contact {
 

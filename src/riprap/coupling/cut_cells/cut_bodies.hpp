@@ -9,7 +9,7 @@
 #include "riprap/core/sym3.hpp"
 #include "riprap/fluid/grid/mesh.hpp"
 #include "riprap/fluid/grid/scratch.hpp"
-#include "riprap/geometry/polyhedron.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
 
 namespace riprap::coupling {
 

@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "riprap/coupling/cut_cells/cell_sides.hpp"
-#include "riprap/geometry/clip.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::coupling {
 

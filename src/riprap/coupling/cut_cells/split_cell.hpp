@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "riprap/fluid/grid/mesh.hpp"
-#include "riprap/geometry/polyhedron.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
 
 namespace riprap::coupling {
 

@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "riprap/coupling/grid_fluid/carried_water.hpp"
-#include "riprap/geometry/clip.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::coupling {
 

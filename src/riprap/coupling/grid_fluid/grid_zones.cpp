@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "riprap/coupling/grid_fluid/grid_parts.hpp"
-#include "riprap/geometry/triangle_field.hpp"
+#include "riprap/geometry/ground/triangle_field.hpp"
 
 namespace riprap::coupling {
 

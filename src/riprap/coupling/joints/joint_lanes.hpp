@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "riprap/fluid/particle/lanes.hpp"
+#include "riprap/fluid/particle/sweep/lanes.hpp"
 
 namespace riprap::coupling {
 

@@ -12,7 +12,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/joints/joint_kernel.hpp"
 #include "riprap/coupling/joints/joint_search.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/sweep/cell_grid.hpp"
 
 namespace riprap::coupling {
 

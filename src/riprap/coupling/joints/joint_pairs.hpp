@@ -10,8 +10,8 @@
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
-#include "riprap/fluid/particle/box_tree.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
+#include "riprap/fluid/particle/sweep/box_tree.hpp"
 
 namespace riprap::coupling {
 

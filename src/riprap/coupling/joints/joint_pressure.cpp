@@ -10,7 +10,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/joints/joint_rim.hpp"
 #include "riprap/coupling/joints/joint_water.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/sweep/cell_grid.hpp"
 
 namespace riprap::coupling {
 

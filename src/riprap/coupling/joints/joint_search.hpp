@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "riprap/coupling/joints/joint_pairs.hpp"
-#include "riprap/fluid/particle/box_tree.hpp"
+#include "riprap/fluid/particle/sweep/box_tree.hpp"
 
 namespace riprap::coupling {
 

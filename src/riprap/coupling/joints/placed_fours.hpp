@@ -10,7 +10,7 @@
 #include "riprap/coupling/joints/joint_lanes.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
-#include "riprap/fluid/particle/fixed_point.hpp"
+#include "riprap/fluid/particle/sweep/fixed_point.hpp"
 
 namespace riprap::coupling {
 

@@ -7,8 +7,8 @@
 
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
-#include "riprap/fluid/particle/domain.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
 
 namespace riprap::coupling {
 

@@ -9,7 +9,7 @@
 #include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/periodic_images.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
 
 namespace riprap::coupling {
 

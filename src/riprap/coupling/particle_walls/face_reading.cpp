@@ -11,8 +11,8 @@
 #include "riprap/coupling/particle_walls/gauge_edges.hpp"
 #include "riprap/coupling/particle_walls/side_forces.hpp"
 #include "riprap/fluid/gauge/interpolate.hpp"
-#include "riprap/fluid/particle/periodic_images.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::coupling {
 

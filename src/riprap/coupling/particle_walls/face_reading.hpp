@@ -8,8 +8,8 @@
 #include "riprap/coupling/face_gauge.hpp"
 #include "riprap/coupling/particle_walls/penalty_walls.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
-#include "riprap/fluid/particle/domain.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

@@ -8,8 +8,8 @@
 #include "riprap/core/bytes.hpp"
 #include "riprap/core/quat.hpp"
 #include "riprap/core/vec3.hpp"
-#include "riprap/fluid/particle/domain.hpp"
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 
 namespace riprap::coupling {
 

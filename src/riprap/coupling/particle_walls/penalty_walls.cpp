@@ -9,7 +9,7 @@
 #include "riprap/coupling/particle_walls/near_parts.hpp"
 #include "riprap/coupling/particle_walls/passage.hpp"
 #include "riprap/coupling/particle_walls/touch.hpp"
-#include "riprap/fluid/particle/periodic_images.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
 
 namespace riprap::coupling {
 

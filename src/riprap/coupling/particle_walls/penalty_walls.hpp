@@ -15,7 +15,7 @@
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
 #include "riprap/fluid/particle/sparse_vectors.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

@@ -8,8 +8,8 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/particle_walls/passage.hpp"
-#include "riprap/fluid/particle/periodic_images.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::coupling {
 

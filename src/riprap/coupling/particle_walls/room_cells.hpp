@@ -8,8 +8,8 @@
 
 #include "riprap/body/motion.hpp"
 #include "riprap/coupling/particle_walls/near_parts.hpp"
-#include "riprap/fluid/particle/domain.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

@@ -7,8 +7,8 @@
 #include "riprap/fluid/mps_operators/mps_lattice.hpp"
 #include "riprap/fluid/mps_operators/wall_pairs.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
-#include "riprap/fluid/particle/periodic_images.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"
 
 namespace riprap::coupling {

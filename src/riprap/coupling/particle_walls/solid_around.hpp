@@ -8,7 +8,7 @@
 
 #include "riprap/core/quat.hpp"
 #include "riprap/core/vec3.hpp"
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 
 namespace riprap::coupling {
 

@@ -4,7 +4,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/particle_walls/near_parts.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::coupling {
 

@@ -6,7 +6,7 @@
 
 #include "riprap/body/ground.hpp"
 #include "riprap/coupling/particle_walls/near_parts.hpp"
-#include "riprap/fluid/particle/periodic_images.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
 
 namespace riprap::coupling {
 

@@ -11,7 +11,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/samples/moving_seams.hpp"
 #include "riprap/coupling/samples/near_samples.hpp"
-#include "riprap/fluid/particle/lanes.hpp"
+#include "riprap/fluid/particle/sweep/lanes.hpp"
 
 namespace riprap::coupling {
 

@@ -9,7 +9,7 @@
 #include "riprap/body/body_set.hpp"
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

@@ -8,7 +8,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/core/mat3.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/lanes.hpp"
+#include "riprap/fluid/particle/sweep/lanes.hpp"
 
 namespace riprap::coupling {
 

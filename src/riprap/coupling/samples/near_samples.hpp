@@ -7,7 +7,7 @@
 
 #include "riprap/coupling/samples/rigid_map.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
-#include "riprap/fluid/particle/domain.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
 
 namespace riprap::coupling {
 

@@ -14,13 +14,13 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/samples/ground_samples.hpp"
 #include "riprap/coupling/samples/seams.hpp"
-#include "riprap/fluid/particle/lanes.hpp"
 #include "riprap/fluid/particle/sort.hpp"
-#include "riprap/geometry/chebyshev.hpp"
-#include "riprap/geometry/clip.hpp"
-#include "riprap/geometry/convex_query.hpp"
-#include "riprap/geometry/face_layers.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/fluid/particle/sweep/lanes.hpp"
+#include "riprap/geometry/polyhedra/chebyshev.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
+#include "riprap/geometry/polyhedra/face_layers.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::coupling {
 

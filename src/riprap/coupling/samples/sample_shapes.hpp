@@ -6,8 +6,8 @@
 
 #include "riprap/body/body_set.hpp"
 #include "riprap/coupling/samples/sample_set.hpp"
-#include "riprap/fluid/particle/domain.hpp"
-#include "riprap/geometry/shape_set.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
+#include "riprap/geometry/polyhedra/shape_set.hpp"
 
 namespace riprap::coupling {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/fluid/particle/sweep/cell_grid.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::coupling {
 

@@ -8,7 +8,7 @@
 #include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
-#include "riprap/fluid/particle/periodic_images.hpp"
+#include "riprap/fluid/particle/sweep/periodic_images.hpp"
 
 namespace riprap::fluid {
 

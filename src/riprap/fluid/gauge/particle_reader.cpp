@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "riprap/fluid/gauge/interpolate.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
+#include "riprap/fluid/particle/sweep/cell_grid.hpp"
 
 namespace riprap::fluid {
 

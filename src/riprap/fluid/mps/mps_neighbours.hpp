@@ -7,7 +7,7 @@
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/fluid/mps/mps_settings.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/sweep/cell_grid.hpp"
 
 namespace riprap::fluid::mps {
 

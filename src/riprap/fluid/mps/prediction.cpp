@@ -8,7 +8,7 @@
 #include "riprap/fluid/mps_operators/collision.hpp"
 #include "riprap/fluid/mps_operators/wall_pairs.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
-#include "riprap/fluid/particle/zeros.hpp"
+#include "riprap/fluid/particle/sweep/zeros.hpp"
 
 namespace riprap::fluid {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/fluid/particle/math.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
 
 namespace riprap::fluid {
 

@@ -3,7 +3,7 @@
 
 #include "riprap/core/config.hpp"
 #include "riprap/fluid/mps_operators/mps_choices.hpp"
-#include "riprap/fluid/particle/math.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
 
 namespace riprap::fluid {
 

@@ -15,7 +15,7 @@
 #include "riprap/core/vec3.hpp"
 #include "riprap/fluid/mps_operators/mps_weight.hpp"
 #include "riprap/fluid/particle/boundary_particles.hpp"
-#include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/particle/sweep/sweep.hpp"
 
 namespace riprap::fluid {
 

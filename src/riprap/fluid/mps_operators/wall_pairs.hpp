@@ -5,7 +5,7 @@
 // which is 1 in semi-implicit MPS, q = p/x.
 
 #include "riprap/fluid/mps_operators/mps_weight.hpp"
-#include "riprap/fluid/particle/symmetric.hpp"
+#include "riprap/fluid/particle/sweep/symmetric.hpp"
 
 namespace riprap::fluid {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "riprap/core/config.hpp"
-#include "riprap/fluid/particle/math.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
 
 namespace riprap::fluid {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "riprap/fluid/particle/particle_settings.hpp"
-#include "riprap/fluid/particle/sweep.hpp"
+#include "riprap/fluid/particle/sweep/sweep.hpp"
 
 namespace riprap::fluid {
 

@@ -4,8 +4,8 @@
 // The definitions of pair_sums.hpp. For files of kernels only, which instantiate the sums of their own pair physics.
 
 #include "riprap/fluid/particle/pair_sums.hpp"
-#include "riprap/fluid/particle/sweep_kernel.hpp"
-#include "riprap/fluid/particle/sweep_plain.hpp"
+#include "riprap/fluid/particle/sweep/sweep_kernel.hpp"
+#include "riprap/fluid/particle/sweep/sweep_plain.hpp"
 
 namespace riprap::fluid {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "riprap/core/config.hpp"
-#include "riprap/fluid/particle/domain.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
 
 namespace riprap::fluid {
 

@@ -7,7 +7,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/parallel.hpp"
-#include "riprap/fluid/particle/cell_grid.hpp"
+#include "riprap/fluid/particle/sweep/cell_grid.hpp"
 
 namespace riprap::fluid {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "riprap/fluid/particle/domain.hpp"
 #include "riprap/fluid/particle/particle_state.hpp"
+#include "riprap/fluid/particle/sweep/domain.hpp"
 
 namespace riprap::fluid {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "riprap/fluid/particle/kernel.hpp"
-#include "riprap/fluid/particle/math.hpp"
-#include "riprap/fluid/particle/symmetric.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
+#include "riprap/fluid/particle/sweep/symmetric.hpp"
 
 namespace riprap::fluid {
 

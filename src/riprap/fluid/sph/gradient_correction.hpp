@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "riprap/fluid/particle/symmetric.hpp"
+#include "riprap/fluid/particle/sweep/symmetric.hpp"
 
 namespace riprap::fluid {
 

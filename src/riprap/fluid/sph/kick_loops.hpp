@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "riprap/fluid/particle/columns.hpp"
-#include "riprap/fluid/particle/numbers.hpp"
+#include "riprap/fluid/particle/sweep/numbers.hpp"
 #include "riprap/fluid/sph/sph_numbers.hpp"
 
 namespace riprap::fluid {

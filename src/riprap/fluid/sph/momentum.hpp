@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/fluid/particle/math.hpp"
-#include "riprap/fluid/particle/symmetric.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
+#include "riprap/fluid/particle/sweep/symmetric.hpp"
 #include "riprap/fluid/sph/wall_averages.hpp"
 
 namespace riprap::fluid {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/sph/muller.hpp"
 
-#include "riprap/fluid/particle/zeros.hpp"
+#include "riprap/fluid/particle/sweep/zeros.hpp"
 #include "riprap/fluid/sph/density_sum.hpp"
 
 namespace riprap::fluid {

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "riprap/fluid/particle/math.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
 
 namespace riprap::fluid {
 

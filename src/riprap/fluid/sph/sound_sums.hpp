@@ -5,8 +5,8 @@
 // that stay the same while density, pressure and velocity go on. d = x^g_i - x^g_j, F = (dW/dr)/r.
 
 #include "riprap/fluid/particle/kernel.hpp"
-#include "riprap/fluid/particle/math.hpp"
-#include "riprap/fluid/particle/symmetric.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
+#include "riprap/fluid/particle/sweep/symmetric.hpp"
 
 namespace riprap::fluid {
 

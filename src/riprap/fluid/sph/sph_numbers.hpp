@@ -4,8 +4,8 @@
 // Buffers of SPH, grouped by the stage that writes them, in memory of the host or of a device. Each group is made anew
 // in every step.
 
-#include "riprap/fluid/particle/numbers.hpp"
-#include "riprap/fluid/particle/symmetric.hpp"
+#include "riprap/fluid/particle/sweep/numbers.hpp"
+#include "riprap/fluid/particle/sweep/symmetric.hpp"
 
 namespace riprap::fluid {
 

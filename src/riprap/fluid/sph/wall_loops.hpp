@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "riprap/fluid/particle/columns.hpp"
-#include "riprap/fluid/particle/numbers.hpp"
+#include "riprap/fluid/particle/sweep/numbers.hpp"
 
 namespace riprap::fluid {
 

@@ -4,7 +4,7 @@
 #include "riprap/fluid/particle/columns.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
 #include "riprap/fluid/particle/sparse_vectors.hpp"
-#include "riprap/fluid/particle/sweep_lists.hpp"
+#include "riprap/fluid/particle/sweep/sweep_lists.hpp"
 
 namespace riprap::fluid {
 

@@ -7,7 +7,7 @@
 
 #include "riprap/fluid/particle/columns.hpp"
 #include "riprap/fluid/particle/linear_law.hpp"
-#include "riprap/fluid/particle/numbers.hpp"
+#include "riprap/fluid/particle/sweep/numbers.hpp"
 #include "riprap/fluid/particle/volume_book.hpp"
 #include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"

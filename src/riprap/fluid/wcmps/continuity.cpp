@@ -5,7 +5,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/sum.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
-#include "riprap/fluid/particle/zeros.hpp"
+#include "riprap/fluid/particle/sweep/zeros.hpp"
 #include "riprap/fluid/wcmps/continuity_pairs.hpp"
 #include "riprap/fluid/wcmps/surface_limits.hpp"
 #include "riprap/fluid/wcmps/wcmps.hpp"
@@ -210,14 +210,14 @@ void Wcmps::update_density(ParticleState& state, const BoundaryParticles& walls,
         const double mean = 0.5 * (before + after);
         const double per_concentration = per_density * pressure_of(settings_, mean) / mean;
         const double conjugate = before * (squeezed - made.slip[i]);
-        DensityUpdate update{{-per_concentration * spread, -per_concentration * (after - bound), 0,
-                              -per_concentration * (bound - flown)},
-                             heat,
-                             -per_concentration * dt * before * made.slip[i],
-                             {per_concentration * dt * conjugate,
-                              per_density * water_.pressure_over_concentration[i] * conjugate,
-                              per_density * pressure_of(settings_, after) / after * conjugate},
-                             {}};
+        DensityUpdate update{
+            {-per_concentration * spread, -per_concentration * (after - bound), 0,
+             -per_concentration * (bound - flown)},
+            heat,
+            -per_concentration * dt * before * made.slip[i],
+            {per_concentration * dt * conjugate, per_density * water_.pressure_over_concentration[i] * conjugate,
+             per_density * pressure_of(settings_, after) / after * conjugate},
+            {}};
         VolumeBook& volume = update.volume;
         const double per_gain = -per_density / (before * after);
         volume.diffusion = per_gain * spread;

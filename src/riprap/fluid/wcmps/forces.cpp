@@ -4,8 +4,8 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/fluid/mps_operators/wall_pairs.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
+#include "riprap/fluid/particle/sweep/zeros.hpp"
 #include "riprap/fluid/particle/unsound_particles.hpp"
-#include "riprap/fluid/particle/zeros.hpp"
 #include "riprap/fluid/wcmps/momentum_pairs.hpp"
 #include "riprap/fluid/wcmps/wcmps.hpp"
 

@@ -6,7 +6,7 @@
 #include "riprap/core/sum.hpp"
 #include "riprap/fluid/mps_operators/collision.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
-#include "riprap/fluid/particle/zeros.hpp"
+#include "riprap/fluid/particle/sweep/zeros.hpp"
 #include "riprap/fluid/wcmps/surface_limits.hpp"
 #include "riprap/fluid/wcmps/surface_pairs.hpp"
 #include "riprap/fluid/wcmps/wcmps.hpp"

@@ -5,7 +5,7 @@
 #include "riprap/fluid/mps_operators/mps_weight.hpp"
 #include "riprap/fluid/particle/flow_work.hpp"
 #include "riprap/fluid/particle/particle_scheme.hpp"
-#include "riprap/fluid/particle/sweep_lists.hpp"
+#include "riprap/fluid/particle/sweep/sweep_lists.hpp"
 #include "riprap/fluid/wcmps/wcmps_scratch.hpp"
 #include "riprap/fluid/wcmps/wcmps_settings.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "riprap/core/bytes.hpp"
 #include "riprap/fluid/mps_operators/wall_opening.hpp"
-#include "riprap/fluid/particle/numbers.hpp"
-#include "riprap/fluid/particle/symmetric.hpp"
+#include "riprap/fluid/particle/sweep/numbers.hpp"
+#include "riprap/fluid/particle/sweep/symmetric.hpp"
 
 namespace riprap::fluid {
 

@@ -7,7 +7,7 @@
 
 #include "riprap/core/error.hpp"
 #include "riprap/io/atomic_file.hpp"
-#include "riprap/run/run_folder.hpp"
+#include "riprap/run/folder/run_folder.hpp"
 
 namespace riprap::run {
 

@@ -13,8 +13,8 @@
 #include "riprap/core/index.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
-#include "riprap/run/member_table.hpp"
-#include "riprap/run/run_folder.hpp"
+#include "riprap/run/folder/member_table.hpp"
+#include "riprap/run/folder/run_folder.hpp"
 
 namespace riprap::run {
 

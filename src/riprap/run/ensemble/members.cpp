@@ -13,8 +13,8 @@
 #include "riprap/core/index.hpp"
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv.hpp"
-#include "riprap/run/expects.hpp"
-#include "riprap/run/run_folder.hpp"
+#include "riprap/run/figures/expects.hpp"
+#include "riprap/run/folder/run_folder.hpp"
 #include "riprap/scene/assemble/check_spreads.hpp"
 
 namespace riprap::run {

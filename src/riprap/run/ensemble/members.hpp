@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "riprap/core/error.hpp"
-#include "riprap/run/run_folder.hpp"
-#include "riprap/run/spreads.hpp"
-#include "riprap/run/sweep.hpp"
+#include "riprap/run/figures/spreads.hpp"
+#include "riprap/run/folder/run_folder.hpp"
+#include "riprap/run/study/sweep.hpp"
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {

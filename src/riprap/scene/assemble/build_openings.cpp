@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 #include "riprap/scene/assemble/build_case.hpp"
 #include "riprap/scene/case/placed_part.hpp"
 #include "riprap/scene/keys/words.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "riprap/geometry/joint_sets.hpp"
-#include "riprap/geometry/voronoi.hpp"
+#include "riprap/geometry/polyhedra/joint_sets.hpp"
+#include "riprap/geometry/polyhedra/voronoi.hpp"
 #include "riprap/scene/assemble/build_case.hpp"
 #include "riprap/scene/assemble/random_stream.hpp"
 #include "riprap/scene/assemble/recipe_blocks.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/convex_pieces.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/planar/convex_pieces.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/scene/assemble/build_case.hpp"
 #include "riprap/scene/assemble/recipe_blocks.hpp"
 #include "riprap/scene/assemble/section_files.hpp"

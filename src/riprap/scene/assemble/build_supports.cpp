@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 #include "riprap/scene/assemble/build_case.hpp"
 #include "riprap/sim/method_traits.hpp"
 

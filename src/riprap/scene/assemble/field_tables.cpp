@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/scene/assemble/fluid_tables.hpp"
 #include "riprap/scene/case/orientation.hpp"
 #include "riprap/scene/case/sea_tables.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/geometry/clip.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
 
 namespace riprap::scene {

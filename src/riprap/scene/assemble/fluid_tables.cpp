@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "riprap/geometry/clip.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/scene/case/orientation.hpp"
 #include "riprap/scene/case/placed_part.hpp"
 #include "riprap/scene/keys/bound_keys.hpp"

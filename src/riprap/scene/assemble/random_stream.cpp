@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "riprap/core/fields.hpp"
-#include "riprap/geometry/random_bits.hpp"
+#include "riprap/geometry/polyhedra/random_bits.hpp"
 
 namespace riprap::scene {
 

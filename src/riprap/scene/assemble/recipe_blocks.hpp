@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/geometry/outcome.hpp"
+#include "riprap/geometry/polyhedra/outcome.hpp"
 #include "riprap/scene/case/case_build.hpp"
 
 namespace riprap::scene {

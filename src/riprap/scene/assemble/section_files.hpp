@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "riprap/geometry/dda_files.hpp"
+#include "riprap/geometry/dda_files/dda_files.hpp"
 #include "riprap/scene/case/case_build.hpp"
 
 namespace riprap::scene {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "riprap/geometry/dda_files.hpp"
-#include "riprap/geometry/planar_polygon.hpp"
+#include "riprap/geometry/dda_files/dda_files.hpp"
+#include "riprap/geometry/planar/planar_polygon.hpp"
 #include "riprap/scene/case/case_build.hpp"
 
 namespace riprap::scene {

@@ -2,7 +2,7 @@
 #include "riprap/scene/case/placed_part.hpp"
 
 #include "riprap/core/error.hpp"
-#include "riprap/geometry/convex_query.hpp"
+#include "riprap/geometry/polyhedra/convex_query.hpp"
 
 namespace riprap::scene {
 

@@ -9,7 +9,7 @@
 
 #include "riprap/core/key.hpp"
 #include "riprap/coupling/field_scene.hpp"
-#include "riprap/geometry/armour_units.hpp"
+#include "riprap/geometry/polyhedra/armour_units.hpp"
 #include "riprap/material/material_set.hpp"
 #include "riprap/scene/keys/key_table.hpp"
 

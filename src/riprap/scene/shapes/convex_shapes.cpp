@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "riprap/geometry/convex_hull.hpp"
-#include "riprap/geometry/round_shapes.hpp"
-#include "riprap/geometry/shapes.hpp"
-#include "riprap/geometry/sound_part.hpp"
+#include "riprap/geometry/polyhedra/convex_hull.hpp"
+#include "riprap/geometry/polyhedra/round_shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
+#include "riprap/geometry/polyhedra/sound_part.hpp"
 #include "riprap/scene/keys/bound_keys.hpp"
 #include "riprap/scene/shapes/shape_library.hpp"
 

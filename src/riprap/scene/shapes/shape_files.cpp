@@ -7,14 +7,14 @@
 #include <limits>
 #include <utility>
 
-#include "riprap/geometry/convex_hull.hpp"
-#include "riprap/geometry/flatten_polygons.hpp"
-#include "riprap/geometry/mesh_facts.hpp"
-#include "riprap/geometry/obj.hpp"
-#include "riprap/geometry/sound_part.hpp"
-#include "riprap/geometry/stl.hpp"
-#include "riprap/geometry/surface_audit.hpp"
-#include "riprap/geometry/triangle_mesh.hpp"
+#include "riprap/geometry/polyhedra/convex_hull.hpp"
+#include "riprap/geometry/polyhedra/flatten_polygons.hpp"
+#include "riprap/geometry/polyhedra/sound_part.hpp"
+#include "riprap/geometry/surface/mesh_facts.hpp"
+#include "riprap/geometry/surface/obj.hpp"
+#include "riprap/geometry/surface/stl.hpp"
+#include "riprap/geometry/surface/surface_audit.hpp"
+#include "riprap/geometry/surface/triangle_mesh.hpp"
 #include "riprap/scene/case/case_build.hpp"
 #include "riprap/scene/case/orientation.hpp"
 #include "riprap/scene/keys/words.hpp"

@@ -9,13 +9,13 @@
 #include <optional>
 #include <utility>
 
-#include "riprap/geometry/ground_cells.hpp"
-#include "riprap/geometry/height_grid.hpp"
-#include "riprap/geometry/mesh_audit.hpp"
-#include "riprap/geometry/mesh_facts.hpp"
-#include "riprap/geometry/obj.hpp"
-#include "riprap/geometry/sound_part.hpp"
-#include "riprap/geometry/stl.hpp"
+#include "riprap/geometry/ground/ground_cells.hpp"
+#include "riprap/geometry/ground/height_grid.hpp"
+#include "riprap/geometry/polyhedra/sound_part.hpp"
+#include "riprap/geometry/surface/mesh_audit.hpp"
+#include "riprap/geometry/surface/mesh_facts.hpp"
+#include "riprap/geometry/surface/obj.hpp"
+#include "riprap/geometry/surface/stl.hpp"
 #include "riprap/io/vtp_surface.hpp"
 #include "riprap/scene/case/case_build.hpp"
 #include "riprap/scene/keys/words.hpp"

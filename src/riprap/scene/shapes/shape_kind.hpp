@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "riprap/geometry/polyhedron.hpp"
+#include "riprap/geometry/polyhedra/polyhedron.hpp"
 #include "riprap/scene/keys/key_table.hpp"
 
 namespace riprap::scene {

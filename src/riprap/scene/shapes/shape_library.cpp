@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "riprap/geometry/sound_part.hpp"
+#include "riprap/geometry/polyhedra/sound_part.hpp"
 #include "riprap/scene/keys/bound_keys.hpp"
 #include "riprap/scene/shapes/composed_shapes.hpp"
 

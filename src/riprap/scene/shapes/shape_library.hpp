@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "riprap/body/body_set.hpp"
-#include "riprap/geometry/outcome.hpp"
-#include "riprap/geometry/surface.hpp"
-#include "riprap/geometry/triangle_mesh.hpp"
+#include "riprap/geometry/polyhedra/outcome.hpp"
+#include "riprap/geometry/surface/surface.hpp"
+#include "riprap/geometry/surface/triangle_mesh.hpp"
 #include "riprap/scene/shapes/shape_kind.hpp"
 #include "riprap/scene/text/case_files.hpp"
 #include "riprap/scene/text/value.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "riprap/core/dimension.hpp"
-#include "riprap/geometry/number_table.hpp"
+#include "riprap/geometry/text/number_table.hpp"
 #include "riprap/scene/text/case_files.hpp"
 
 namespace riprap::scene {
@@ -25,8 +25,8 @@ std::vector<ReadColumn> columns_of_places();
 /// @param scale  metres per unit of lengths in the file
 geometry::TableForm form_of(std::vector<ReadColumn> columns, std::int64_t most_rows, double scale = 1);
 
-/// Reads a table of numbers (geometry/number_table.hpp) that the case names at `place`. Nothing, with problems, where
-/// it is refused. @param notes  gets what was found that the user may not expect
+/// Reads a table of numbers (geometry/text/number_table.hpp) that the case names at `place`. Nothing, with problems,
+/// where it is refused. @param notes  gets what was found that the user may not expect
 std::optional<geometry::NumberTable> read_numbers(CaseFiles& files, const std::string& path,
                                                   const geometry::TableForm& form, const SourcePlace& place,
                                                   std::vector<Diagnostic>& problems, std::vector<std::string>& notes);

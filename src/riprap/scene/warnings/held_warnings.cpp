@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "riprap/geometry/clip.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
 #include "riprap/scene/case/placed_part.hpp"
 #include "riprap/scene/warnings/fluid_warnings.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/geometry/surface_features.hpp"
-#include "riprap/geometry/triangle_field.hpp"
+#include "riprap/geometry/ground/triangle_field.hpp"
+#include "riprap/geometry/surface/surface_features.hpp"
 #include "riprap/solid/affine/blocks.hpp"
 
 namespace riprap::solid::affine {

@@ -2,7 +2,7 @@
 // Corners of a block on triangles of the ground.
 #include <cmath>
 
-#include "riprap/geometry/triangle.hpp"
+#include "riprap/geometry/surface/triangle.hpp"
 #include "riprap/solid/affine/ground_meeting.hpp"
 
 namespace riprap::solid::affine {

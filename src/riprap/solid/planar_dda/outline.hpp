@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/geometry/planar_polygon.hpp"
+#include "riprap/geometry/planar/planar_polygon.hpp"
 #include "riprap/solid/solid_scene.hpp"
 
 namespace riprap::solid::planar_dda {

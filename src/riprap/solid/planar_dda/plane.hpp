@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "riprap/core/quat.hpp"
-#include "riprap/geometry/planar_vector.hpp"
+#include "riprap/geometry/planar/planar_vector.hpp"
 
 // Places and turns of bodies, as seen in the x-y plane.
 

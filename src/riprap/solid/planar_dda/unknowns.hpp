@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "riprap/geometry/planar_vector.hpp"
+#include "riprap/geometry/planar/planar_vector.hpp"
 
 namespace riprap::solid::planar_dda {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 #include "riprap/solid/sphere_dem/surface_sample.hpp"
 
 namespace riprap::solid::sphere_dem {

@@ -12,7 +12,7 @@
 #include "riprap/body/ground.hpp"
 #include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/solid/sphere_dem/box_samples.hpp"
 #include "riprap/solid/sphere_dem/convex_samples.hpp"
 #include "riprap/solid/sphere_dem/default_stiffness.hpp"

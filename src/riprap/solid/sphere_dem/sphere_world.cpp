@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/shapes.hpp"
+#include "riprap/geometry/polyhedra/shapes.hpp"
 #include "riprap/solid/sphere_dem/time_step.hpp"
 
 namespace riprap::solid::sphere_dem {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "riprap/geometry/convex_view.hpp"
+#include "riprap/geometry/polyhedra/convex_view.hpp"
 
 // Ways out of a convex part from a point in it. Internal faces are none: the end of a prism, the next part.
 

@@ -8,8 +8,8 @@
 #include <deque>
 #include <limits>
 
-#include "riprap/run/find_case.hpp"
-#include "riprap/run/matrix.hpp"
+#include "riprap/run/drive/find_case.hpp"
+#include "riprap/run/study/matrix.hpp"
 #include "riprap/validation/cross/causes.hpp"
 
 namespace riprap::validation::cross {

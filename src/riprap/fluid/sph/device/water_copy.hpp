@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "riprap/fluid/particle/cell_sweep.hpp"
 #include "riprap/fluid/particle/pair_sums.hpp"
+#include "riprap/fluid/particle/sweep/cell_sweep.hpp"
 #include "riprap/fluid/sph/device/device_columns.hpp"
 
 namespace riprap::fluid {

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "riprap/fluid/particle/math.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
 
 namespace riprap {
 template <class S>

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "riprap/fluid/particle/kernel.hpp"
-#include "riprap/fluid/particle/math.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
+#include "riprap/fluid/particle/sweep/math.hpp"
 #include "riprap/fluid/sph/muller_kernels.hpp"
 
 namespace riprap {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "riprap/geometry/polyhedra/shapes.hpp"
+
+// Round bodies as polyhedra with their exact volume; a ball is sphere() of shapes.hpp.
+
+namespace riprap::geometry {
+
+/// Ellipsoid about the origin: a sphere() that is stretched. @param semi_axes  [m]
+Polyhedron ellipsoid(const Vec3& semi_axes);
+
+/// Cylinder along z about the origin, as a prism over a regular polygon with the area of its circle.
+/// @param radius, height  [m]
+/// @param sides           3 or more
+Outcome<Polyhedron> cylinder(double radius, double height, int sides);
+
+/// Distance of the corners of a regular polygon with the area of a circle from its centre, over the radius of the
+/// circle [-]: an n-gon has the area n/2 R^2 sin(2 pi/n).
+double circumradius_of_equal_area(int sides);
+
+}  // namespace riprap::geometry
