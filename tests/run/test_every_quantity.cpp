@@ -110,8 +110,35 @@ rate = 5.0
 towards = "x"
 )";
 
+/// A plate squeezes a drop against the floor until it is alone between both.
+const std::string squeezed = R"(dimension = 2
+gravity = [0, -9.81]
+end = 0.05
+[material.rock]
+density = 2500.0
+normal_stiffness = 1e6
+[[body]]
+name = "floor"
+material = "rock"
+shape = { half_space = { normal = [0, 1] } }
+fixed = true
+[[body]]
+name = "plate"
+material = "rock"
+shape = { box = [0.3, 0.1] }
+position = [0.0, 0.085]
+motion = { linear = { velocity = [0, -0.5] } }
+[fluid]
+spacing = 0.025
+domain = { low = [-0.2, -0.2], high = [0.5, 0.5] }
+expected_speed = 1.0
+[[fluid.region]]
+box = { low = [-0.0125, 0.0], high = [0.0125, 0.025] }
+velocity = [0.05, 0]
+)";
+
 std::vector<Trial> trials() {
-    std::vector<Trial> all{{moved, "block"}, {stream, "block", {}, 72}};
+    std::vector<Trial> all{{moved, "block"}, {stream, "block", {}, 72}, {squeezed, "plate", {}, 110}};
     for (const char* solid : {"distance_potential_dem", "planar_dda", "implicit_dda", "explicit_dda"}) {
         all.push_back({method_case(std::string("solid-") + solid), "high"});
     }
@@ -120,6 +147,7 @@ std::vector<Trial> trials() {
     all.push_back({planar, "high", {"material.rock.cohesion=1e3", "material.rock.tensile_strength=1e3"}});
     all.push_back({method_case("solid-sphere_dem"), "low", {"solid.rolling_friction=0.1", "solid.spheres=\"one\""}});
     all.push_back({method_case("fluid-mps"), "block", {"fluid.collision_distance=1.0"}});
+    all.push_back({method_case("fluid-wcmps"), "block", {"solid.method=\"explicit_dda\""}, 100});
     all.push_back({method_case("fluid-grid"), "box"});
     return all;
 }

@@ -136,8 +136,9 @@ TEST(Restart, EverythingThatLaterCodeReliesOnIsChecked) {
                 HasSubstr("not a rotation"));
     EXPECT_THAT(refusal_of([](sim::State& s, RunRecord&) { s.ledger.totals.push_back(0); }),
                 HasSubstr("ledger.totals"));
-    // Versions before what water has turned over, the rise of its energy and the miss of the first steps were kept.
-    for (const std::size_t missing : {1U, 4U}) {
+    // Versions before what water has turned over and the work of a changing gravity on it, eight numbers, and the rise
+    // of its energy and the miss of the first steps, three more, were kept.
+    for (const std::size_t missing : {8U, 11U}) {
         EXPECT_EQ(
             refusal_of([&](sim::State& s, RunRecord&) { s.ledger.totals.resize(s.ledger.totals.size() - missing); }),
             "accepted");

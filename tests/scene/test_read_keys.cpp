@@ -32,7 +32,7 @@ std::string reader_sources() {
         }
     }
     append("src/riprap/scene/read_case.cpp");
-    append("src/riprap/run/ensemble/ensemble.cpp");  // [[spread]]
+    append("src/riprap/run/ensemble/members.cpp");   // [[spread]]
     append("src/riprap/run/simulate/settle.cpp");    // settle_static and others
     append("src/riprap/validation/case_files.cpp");  // published, close, bookkeeping
     static const std::regex row("(optional_key|required_key|key_or)\\(\\s*\"[a-z_]+\"");
