@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "contact/narrowphase_support.hpp"
@@ -290,6 +291,31 @@ double mean_arm(double length, double width, const Depth& depth) {
     const double all = sum([](double, double) { return 1.0; });
     const double cx = sum([](double x, double) { return x; }) / all, cy = sum([](double, double y) { return y; }) / all;
     return sum([&](double x, double y) { return std::hypot(x - cx, y - cy); }) / all;
+}
+
+TEST_F(CornerFeet, AreNoneWhereTheNextFacesOfADiscAreAsDeep) {
+    // A facet of a disc was a foot down to half of its width, ten times as deep as where the next ones begin to carry:
+    // the disc lay in a trough of its own on a slope of 10 degrees, its resultant farther off than its radius.
+    const double radius = 0.3, half = radius * std::sin(std::numbers::pi / 64);
+    const Block floor = add(geometry::box({4, 1.5, 1}), {{0, 0, -0.5}, {}}, 0.7);
+    const Block disc = add(geometry::prism(64, radius, 1).value(), {}, 1.1);
+    const Quat upright = from_rotation_vector({0.5 * std::numbers::pi, 0, 0});
+    for (const double depth : {0.0005, 0.001, 0.002, 0.003, 0.0176}) {
+        double least = 1e300, most = 0;
+        for (int i = 0; i < 24; ++i) {
+            const Quat turn = upright * from_rotation_vector({0, 0, 0.1 + 0.0045 * i});
+            const Block rolled{disc.shape, {{0.1, 0, radius - depth}, turn}, disc.stiffness};
+            expect_gradient(rolled, floor, 1e-6);
+            const NormalContact contact = meet(rolled, floor);
+            const double push = contact.force.z;
+            EXPECT_LT(std::abs(moment_about(contact, rolled.pose.position).y), 1.02 * half * push) << depth << " " << i;
+            least = std::min(least, push);
+            most = std::max(most, push);
+        }
+        // As the square root of the depth times it, which the sagitta of a facet takes part in.
+        const double sagitta = radius - std::sqrt(radius * radius - half * half);
+        EXPECT_LT(most, std::pow(1 + sagitta / depth, 1.5) * least) << depth;
+    }
 }
 
 TEST_F(CornerFeet, ResistSpinAsEvenPressureOnTheFaceThatTheyShare) {

@@ -75,7 +75,7 @@ CornerFoot::CornerFoot(const PlacedShape& a, const PlacedShape& b, double per_ar
         return;
     }
     weigh();
-    const double width = patch_.width();
+    const double width = faces_.rise * patch_.width();
     is_narrow_ = width < faces_.next.depth;
     room_ = is_narrow_ ? width : faces_.next.depth;
     fit_to_width(corners);
@@ -231,7 +231,7 @@ void CornerFoot::join(NormalContact& contact) const {
     const double sigma = share(), rest = 1 - sigma;
     const double more = energy_ - contact.energy;
     const double by_least = more * faces_.share * fit_by_least_, by_room = more * faces_.share * fit_by_room_;
-    const double by_width = is_narrow_ && by_least != 0 ? by_room : 0;
+    const double by_width = is_narrow_ && by_least != 0 ? faces_.rise * by_room : 0;
     Slopes slopes{sigma, 0, 0};
     if (by_width != 0) {
         slopes.by_area = 2 * by_width / patch_.free_length;

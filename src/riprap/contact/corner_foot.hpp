@@ -19,11 +19,11 @@ namespace riprap::contact {
 /// other corners come and go in the middle of an edge: their angle is none, so the energy knows nothing of it.
 ///
 /// E_c takes the place of the energy E_p of the potential by the share sigma = s t, s of the directions of the faces
-/// (FacingFaces) and t of the depth D (FacingFaces::least) beside W, the lesser of the width of the patch and the depth
-/// below any other face: 1 up to h^2 D = W/2, a smooth step to 0 at h D = W. Here h = 1, but between parts with stiff
-/// corners (SharpPush) 2 - 3 q^2 + 2 q^3, q = min(W/r, 1), r the lesser inscribed radius: a foot is softer than a
-/// corner by W/r, so where it is as narrow as deep a corner that can become one would lose its energy and throw itself
-/// there.
+/// (FacingFaces) and t of the depth D (FacingFaces::least) beside W, the lesser of the depth below any other face and
+/// of the width of the patch times FacingFaces::rise, as the next faces of a disc are as deep as one of them from about
+/// there on: 1 up to h^2 D = W/2, a smooth step to 0 at h D = W. Here h = 1, but between parts with stiff corners
+/// (SharpPush) 2 - 3 q^2 + 2 q^3, q = min(W/r, 1), r the lesser inscribed radius: a foot is softer than a corner by
+/// W/r, so where it is as narrow as deep a corner that can become one would lose its energy and throw itself there.
 ///
 ///     E = E_p + sigma (E_c - E_p)
 ///
@@ -81,7 +81,7 @@ class CornerFoot {
     double fit_by_least_{0};  ///< dt/dD [1/m]
     double fit_by_room_{0};   ///< dt/dW [1/m]
     double room_{0};          ///< W [m]
-    bool is_narrow_{false};   ///< W is the width of the patch
+    bool is_narrow_{false};   ///< W is that of the width of the patch
 };
 
 }  // namespace riprap::contact

@@ -97,6 +97,7 @@ double cosine_of_half(double cosine) { return std::sqrt(std::max(0.0, 0.5 * (1 +
 
 void set_share(const PlacedShape& a, const PlacedShape& b, FacingFaces& faces) {
     const double bend = std::max(bend_of(a.shape, faces.of_a), bend_of(b.shape, faces.of_b));
+    faces.rise = bend > widest ? std::sqrt(std::max(0.0, 1 - bend * bend)) / bend : 1;
     const double none = std::max(widest, cosine_of_half(bend)), all = cosine_of_half(none);
     const double cosine = -dot(faces.normal_a, faces.normal_b);
     if (cosine <= none || none >= all || borders_a_cut(a.shape, faces.of_a) || borders_a_cut(b.shape, faces.of_b)) {

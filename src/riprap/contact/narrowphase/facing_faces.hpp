@@ -32,6 +32,7 @@ struct FacingFaces {
     Vec3 normal_a{}, normal_b{};  ///< m, world [-]
     double share{0};              ///< s [-]
     double share_by_cosine{0};    ///< ds/dc [-]
+    double rise{1};               ///< tan of the least angle to another face of the same part, 1 at most [-]
     FaceDepth least{};            ///< of the two faces
     FaceDepth next{};             ///< of all other faces; infinite where there is none
     Vec3 origin{};                ///< from which places of the pair are measured, world [m]
