@@ -9,7 +9,7 @@
 
 namespace riprap {
 
-/// What the command line says of a cluster.
+/// Holds what the command line says of a cluster.
 struct SlurmWords {
     std::string submit;  ///< "slurm", or empty
     run::SlurmOptions asked;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What riprap.ensemble needs of the engine: the values that members draw, and their bands.
+// Gives riprap.ensemble what it needs of the engine: the values that members draw, and their bands.
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 

@@ -142,7 +142,7 @@ T total_of(const std::vector<T>& blocks) {
     return total.value();
 }
 
-/// What a map of entries returns.
+/// Names what a map of entries returns.
 template <class Map>
 using SumOf = std::remove_cvref_t<std::invoke_result_t<const Map&, std::int64_t>>;
 

@@ -168,7 +168,7 @@ double work_of_half(const GridSettings& settings, const GridState& water, const 
     return 0.5 * dt * power;
 }
 
-/// What the first moment of mass lacks to that of the time of the velocities: in one pass the water goes through a step
+/// Returns what the first moment of mass lacks to that of the time of the velocities: in one pass the water goes through a step
 /// with the velocity of its start, so it is behind by half of what the speed grew, and all of it since the start adds
 /// up to dt/2 rho u [kg m].
 Vec3 lag_of(const GridSettings& settings, const Vec3& momentum, double dt) {

@@ -65,7 +65,7 @@ class PenaltyWalls {
         Vec3 place;  ///< of the image of the particle that the body meets [m]
     };
 
-    /// What the pushes of one block of particles do to one body.
+    /// Holds what the pushes of one block of particles do to one body.
     struct Reaction {
         std::int32_t body;
         Vec3 force, torque;  ///< [N], [N m]

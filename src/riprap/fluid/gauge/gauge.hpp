@@ -61,7 +61,7 @@ struct Gauge {
 /// @param position, orientation  of all bodies
 Gauge carried(const Gauge& gauge, std::span<const Vec3> position, std::span<const Quat> orientation);
 
-/// What an instrument that shows readings late shows a step later,
+/// Returns what an instrument that shows readings late shows a step later,
 ///
 ///     y + (1 - exp(-dt/theta)) (p - y),
 ///

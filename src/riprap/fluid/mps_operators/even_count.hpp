@@ -34,7 +34,7 @@ struct EvenCount {
     }
 };
 
-/// What counts lack behind a flat surface, from how they lean outward, o = |sum W d/r|/n_0:
+/// Returns what counts lack behind a flat surface, from how they lean outward, o = |sum W d/r|/n_0:
 ///
 ///     lack = a o + b o^2    [-],
 ///

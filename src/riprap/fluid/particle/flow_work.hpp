@@ -5,7 +5,7 @@
 
 namespace riprap::fluid {
 
-/// What flow does to compression as density is carried from rho_(n-1/2) to rho_(n+1/2), and what the forces of both
+/// Tells what flow does to compression as density is carried from rho_(n-1/2) to rho_(n+1/2), and what the forces of both
 /// kicks do along the velocities v_n between them. They are one and the same where steps are equally long and pressure
 /// changes little within one; what is left is energy that the scheme makes or takes (docs/theory/sph.md, 6).
 struct FlowWork {

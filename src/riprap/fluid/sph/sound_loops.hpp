@@ -14,7 +14,7 @@
 
 namespace riprap::fluid {
 
-/// What a particle is as long as the geometry lasts, besides its Corrections.
+/// Holds what a particle is as long as the geometry lasts, besides its Corrections.
 struct Surroundings {
     NumbersView<1> bareness;     ///< b [-]
     NumbersView<1> leaves_wall;  ///< 1 where may_leave_walls, else 0
@@ -115,19 +115,10 @@ struct AdvanceOnGeometry {
         const double escaped = density_by_escape(around.caught[i], flown, rest_density, gone);
         const double after = flown + (torn + escaped), mean = 0.5 * (before + after);
         density[i] = after;
-        const double per_density = particle_mass * pressure_at(mean) / (mean * mean);
-        DensityUpdate update{{-per_density * spread, -per_density * torn, -per_density * escaped, 0},
-                             per_density * (before - diluted),
-                             {}};
-        VolumeBook& volume = update.volume;
-        const double per_gain = -particle_mass / (before * after);
-        (leaves_wall ? volume.walls : volume.tearing) = per_gain * torn;
-        volume.escape = per_gain * escaped;
-        volume.shifting = per_gain * (diluted - before);
-        volume.refused = dilution != nullptr ? per_gain * (before * (1 - dilution[i]) - diluted) : 0;
-        volume.diffusion = -particle_mass / (diluted * diluted) * spread;  // pairs take what they give to round-off
-        volume.flow = per_gain * (after - before) - volume.sum();
-        return update;
+        DensityParts parts{before, diluted, after, spread, torn, escaped, leaves_wall};
+        parts.refused = dilution != nullptr ? before * (1 - dilution[i]) - diluted : 0;
+        // pairs take what they give to round-off
+        return book_density(parts, particle_mass, pressure_at(mean), -particle_mass / (diluted * diluted) * spread);
     }
 };
 

@@ -65,7 +65,7 @@ class TwoClocks : public DeltaSph<WaterInPlace> {
                              const TimeSpan& span, const SparseVectors& extra_force, ParticleReport& report);
     Surroundings around() const;
 
-    // What lasts as long as a geometry; the rest of it is in the buffers of the base.
+    // Keeps what lasts as long as a geometry; the rest of it is in the buffers of the base.
     Numbers<1> leaves_wall_, caught_, rate_;
     Numbers<3> wall_slope_, slow_force_;
     std::vector<Vec3> viscous_on_walls_;  ///< [N]

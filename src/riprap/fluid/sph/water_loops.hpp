@@ -53,7 +53,7 @@ struct LookAround {
     }
 };
 
-/// What leaves the compression as density is updated, and what becomes of the volume.
+/// Tells what leaves the compression as density is updated, and what becomes of the volume.
 struct DensityUpdate {
     DensityLosses losses;  ///< [J]
     double shifting{0};    ///< the same by shifting [J]
@@ -66,6 +66,37 @@ struct DensityUpdate {
         by.add(a.volume, b.volume);
     }
 };
+
+/// Parts of an update of the density of a particle, in the order in which they act [kg/m^3].
+struct DensityParts {
+    double before, diluted;  ///< density at first; without what shifting takes
+    double after;            ///< at the end
+    double spread;           ///< gained by diffusion
+    double torn, escaped;    ///< gained by the rules of surfaces and of water caught between walls
+    bool leaves_wall;        ///< the first of these is that of water that leaves a wall
+    double refused{0};       ///< lost less than the shift says
+};
+
+/// Books an update of density: each part takes m p/rho^2 d rho out of compression, halfway between the densities that
+/// forces see, and has -m d rho/(rho rho') of the volume; flow has what is left of that.
+/// @param pressure          at the mean of the densities before and after [Pa]
+/// @param diffusion_volume  of diffusion, by the volume that a pair exchanges [m^3]
+RIPRAP_HD inline DensityUpdate book_density(const DensityParts& parts, double particle_mass, double pressure,
+                                            double diffusion_volume) {
+    const double before = parts.before, after = parts.after, mean = 0.5 * (before + after);
+    const double per_density = particle_mass * pressure / (mean * mean), per_gain = -particle_mass / (before * after);
+    DensityUpdate update{{-per_density * parts.spread, -per_density * parts.torn, -per_density * parts.escaped, 0},
+                         per_density * (before - parts.diluted),
+                         {}};
+    VolumeBook& volume = update.volume;
+    (parts.leaves_wall ? volume.walls : volume.tearing) = per_gain * parts.torn;
+    volume.escape = per_gain * parts.escaped;
+    volume.shifting = per_gain * (parts.diluted - before);
+    volume.refused = per_gain * parts.refused;
+    volume.diffusion = diffusion_volume;
+    volume.flow = per_gain * (after - before) - volume.sum();
+    return update;
+}
 
 /// Carries the density over a step by the sums of Continuity, and corrects the gradients (docs/theory/sph.md, 4).
 struct AdvanceDensity {
@@ -100,20 +131,10 @@ struct AdvanceDensity {
         const double after = flown + (torn + escaped);
         const double mean = 0.5 * (before + after);
         density[i] = after;
-        // what each takes out of compression, m p/rho^2 d rho, halfway between the densities that forces see
-        const double per_density = particle_mass * pressure_at(mean) / (mean * mean);
-        DensityUpdate update{{-per_density * spread, -per_density * torn, -per_density * escaped, 0},
-                             per_density * (before - diluted),
-                             {}};
-        VolumeBook& volume = update.volume;
-        const double per_gain = -particle_mass / (before * after);
-        (leaves_wall ? volume.walls : volume.tearing) = per_gain * torn;
-        volume.escape = per_gain * escaped;
-        volume.shifting = per_gain * (diluted - before);
-        volume.refused = per_gain * (before * (1 - dilution[i]) - diluted);
-        volume.diffusion = -particle_mass / (before * diluted) * spread;  // pairs take what they give to round-off
-        volume.flow = per_gain * (after - before) - volume.sum();
-        return update;
+        DensityParts parts{before, diluted, after, spread, torn, escaped, leaves_wall};
+        parts.refused = before * (1 - dilution[i]) - diluted;
+        // pairs take what they give to round-off
+        return book_density(parts, particle_mass, pressure_at(mean), -particle_mass / (before * diluted) * spread);
     }
 
  private:

@@ -25,6 +25,9 @@ void find_spins(const body::BodyState& bodies, SphereScratch& scratch) {
 
 DashpotLoss dashpot_loss(const SphereModel& model, const body::BodyState& bodies, const SphereState& state,
                          double power, double dt, SphereScratch& scratch) {
+    if (power == 0) {  // no dashpot pushes
+        return {};
+    }
     find_spins(bodies, scratch);
     const auto velocity_at = [&](std::size_t body, const Vec3& point) {
         return bodies.velocity[body] + cross(scratch.spin_after[body], point - bodies.position[body]);
