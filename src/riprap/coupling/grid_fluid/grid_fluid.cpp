@@ -168,9 +168,9 @@ double work_of_half(const GridSettings& settings, const GridState& water, const 
     return 0.5 * dt * power;
 }
 
-/// Returns what the first moment of mass lacks to that of the time of the velocities: in one pass the water goes through a step
-/// with the velocity of its start, so it is behind by half of what the speed grew, and all of it since the start adds
-/// up to dt/2 rho u [kg m].
+/// Returns what the first moment of mass lacks to that of the time of the velocities: in one pass the water goes
+/// through a step with the velocity of its start, so it is behind by half of what the speed grew, and all of it since
+/// the start adds up to dt/2 rho u [kg m].
 Vec3 lag_of(const GridSettings& settings, const Vec3& momentum, double dt) {
     return settings.outer_corrections > 1 ? Vec3{} : 0.5 * dt * momentum;
 }

@@ -5,9 +5,9 @@
 
 namespace riprap::fluid {
 
-/// Tells what flow does to compression as density is carried from rho_(n-1/2) to rho_(n+1/2), and what the forces of both
-/// kicks do along the velocities v_n between them. They are one and the same where steps are equally long and pressure
-/// changes little within one; what is left is energy that the scheme makes or takes (docs/theory/sph.md, 6).
+/// Tells what flow does to compression as density is carried from rho_(n-1/2) to rho_(n+1/2), and what the forces of
+/// both kicks do along the velocities v_n between them. They are one and the same where steps are equally long and
+/// pressure changes little within one; what is left is energy that the scheme makes or takes (docs/theory/sph.md, 6).
 struct FlowWork {
     double stored{0};            ///< by the update [J]
     double before{0}, after{0};  ///< power of the forces of the last kick and of the next one, with a minus [W]
