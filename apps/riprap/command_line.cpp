@@ -201,6 +201,7 @@ void add_validate(CLI::App& app, Action& action, const Words& words, const Built
     command->footer("Example:\n  riprap validate rigid water/standing_wave --report report");
     command->add_option("SUITE[/CASE]", options->selection, "What to run (default: every suite)");
     command->add_flag("--full", options->is_full, "Also long cases, and every case in its long version");
+    command->add_flag("--still", options->is_still, "Take no step: which answers would hold if nothing moved");
     command->add_flag("--json", options->as_json, "As JSON");
     command->add_option("--results", options->results, "Folder for the runs (default: validation-results)");
     auto report = std::make_shared<std::string>();

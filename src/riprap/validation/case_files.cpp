@@ -14,6 +14,7 @@
 #include "riprap/io/atomic_file.hpp"
 #include "riprap/run/drive/find_case.hpp"
 #include "riprap/run/drive/run_case.hpp"
+#include "riprap/run/figures/still_world.hpp"
 #include "riprap/run/folder/run_folder.hpp"
 #include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/assemble/variations.hpp"
@@ -77,17 +78,27 @@ class RunRoot {
     fs::path path_;
 };
 
+/// Returns what a summary would say of the expected answers of one variation if nothing moved.
+json still_answers_of(const scene::LoadedCase& loaded) {
+    run::Summary summary;
+    summary.expects = run::answers_of_still_world(loaded.model, loaded.state);
+    return json::parse(run::summary_json(summary)).at("expects");
+}
+
 /// Runs one variation and returns what its summary says of the expected answers.
-json answers_of(scene::LoadedCase loaded, const fs::path& out, const AfterStep& after_step) {
+json answers_of(const CaseSetting& setting, scene::LoadedCase loaded, const fs::path& out) {
+    if (setting.is_still) {
+        return still_answers_of(loaded);
+    }
     run::RunOptions options;
     options.out = out;
     options.threads = parallel::thread_count();
     options.force = true;
     options.silent = true;
     options.overrides = loaded.overrides;
-    if (after_step) {
-        options.watch = [&after_step](run::Simulation& simulation) {
-            after_step(simulation.state().time, simulation.end());
+    if (setting.after_step) {
+        options.watch = [&setting](run::Simulation& simulation) {
+            setting.after_step(simulation.state().time, simulation.end());
             return true;
         };
     }
@@ -169,12 +180,12 @@ RunAnswers run_variation(const CaseSetting& setting, const scene::Variation& var
         return given != nullptr ? given->integer : 1;
     };
     const std::int64_t first = whole("seed"), count = whole("seeds");
-    std::vector<json> answers{answers_of(std::move(loaded), out, setting.after_step)};
+    std::vector<json> answers{answers_of(setting, std::move(loaded), out)};
     for (std::int64_t k = 1; k < count; ++k) {
         std::vector<std::string> overrides = variation.overrides;
         overrides.push_back(fmt::format("seed={}", first + k));
         const fs::path beside = out.parent_path() / fmt::format("{}_seed_{}", out.filename().string(), first + k);
-        answers.push_back(answers_of(scene::read_case(file, overrides), beside, setting.after_step));
+        answers.push_back(answers_of(setting, scene::read_case(file, overrides), beside));
     }
     take_means(answers);
     const scene::Value* expects = checked.find("expect");

@@ -97,6 +97,7 @@ std::vector<Result> run_one(const ValidationCase& one, const ValidateOptions& op
     setting.folder = case_folder(options) / one.suite / one.name;
     setting.results = options.results.empty() ? "" : std::filesystem::path(options.results) / one.suite;
     setting.is_full = options.is_full;
+    setting.is_still = options.is_still;
     setting.after_step = progress != nullptr ? teller(*progress, options.tell_every) : AfterStep{};
     const Timer timer;
     std::vector<Result> results;

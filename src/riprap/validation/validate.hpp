@@ -15,6 +15,7 @@ namespace riprap::validation {
 struct ValidateOptions {
     std::vector<std::string> selection;         ///< "zhao", "zhao/incline"; empty = every suite
     bool is_full{false};                        ///< also long cases, and every case in its long version
+    bool is_still{false};                       ///< takes no step: what holds in a world in which nothing moves
     bool as_json{false};                        ///< one JSON object per suite instead of tables
     std::string results{"validation-results"};  ///< runs go to <results>/<suite>/; empty = none is kept
     std::string folder;                         ///< with the case files; empty = validation/ here, else the source's

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// No published case is judged by answers alone that a world in which nothing moves would give as well.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "riprap/scene/text/toml_reader.hpp"
+#include "riprap/validation/case_files.hpp"
+#include "riprap/validation/validate.hpp"
+
+namespace riprap::validation {
+namespace {
+
+std::filesystem::path folder() { return case_folder({}); }
+
+/// Tells whether all that a case is judged by holds if nothing moves.
+bool holds_still(const ValidationCase& one) {
+    CaseReport report{std::string(one.name)};
+    CaseSetting setting;
+    setting.folder = folder() / one.suite / one.name;
+    setting.is_still = true;
+    one.run(setting, report);
+    const auto fails = [](const Result& row) {
+        return row.kind == Kind::physics && row.verdict == Verdict::not_reproduced;
+    };
+    return std::ranges::none_of(report.results(), fails);
+}
+
+/// The case in which something moves beside each that holds still, by "suite/case".
+std::map<std::string, std::string> moving_partners() {
+    std::ifstream in(folder() / "still.toml");
+    std::stringstream text;
+    text << in.rdbuf();
+    std::vector<Diagnostic> problems;
+    const scene::Value list = scene::parse_toml(text.str(), "still.toml", problems);
+    std::map<std::string, std::string> partners;
+    for (const scene::Value& row : scene::get(list, "beside").items) {
+        for (const scene::Value& name : scene::get(row, "cases").items) {
+            partners[name.text] = scene::get_text(row, "moves");
+        }
+    }
+    return partners;
+}
+
+std::vector<std::string> suites() {
+    std::set<std::string> names;
+    for (const ValidationCase& one : file_cases()) {
+        names.emplace(one.suite);
+    }
+    return {names.begin(), names.end()};
+}
+
+class StillWorld : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Suites, StillWorld, testing::ValuesIn(suites()),
+                         [](const auto& one) { return one.param; });
+
+TEST_P(StillWorld, IsRightInNoCaseOfASuiteButThoseBesideOneThatMoves) {
+    const std::map<std::string, std::string> partners = moving_partners();
+    std::set<std::string> still, moving;
+    for (const ValidationCase& one : file_cases()) {
+        if (one.suite == GetParam()) {
+            (holds_still(one) ? still : moving).insert(std::string(one.suite) + "/" + std::string(one.name));
+        }
+    }
+    for (const std::string& name : still) {
+        ASSERT_TRUE(partners.contains(name)) << name << " would be right if nothing moved";
+        EXPECT_TRUE(moving.contains(partners.at(name))) << name << " stands beside " << partners.at(name);
+    }
+    for (const auto& [name, partner] : partners) {
+        EXPECT_FALSE(moving.contains(name)) << name << " needs no case beside it";
+    }
+}
+
+}  // namespace
+}  // namespace riprap::validation
