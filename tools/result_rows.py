@@ -69,6 +69,55 @@ def holds_still(entry, row, still):
             and row["quantity"] in still.get(f"{entry['suite']}/{entry['case']}", []))
 
 
+def citations_of(entry):
+    """Citation of every expected answer and comparison of the case of today, by name."""
+    text = case_path(entry).read_text() if case_path(entry).exists() else ""
+    case = tomllib.loads(text)
+    lists = [case.get("expect", [])] + [one.get(key, []) for one in case.get("vary", []) for key in ("ratio", "order")]
+    return {row["name"]: row.get("citation", "") for rows in reversed(lists) for row in rows}
+
+
+def name_of_answer(row):
+    """Name in the case file of what a row reports: without the words on the run."""
+    return re.split(r"; |, over that of the case as it stands|, order of convergence over ", row["quantity"])[0]
+
+
+def strengths_of(entry, strengths):
+    """What each row of an entry is compared with, as validation/strengths.toml tells by citations."""
+    citations = citations_of(entry)
+
+    def strength(row):
+        cited = citations.get(row["quantity"], citations.get(name_of_answer(row)))
+        if row["kind"] != "physics" or row["verdict"] == "under_specified":
+            return ""
+        if cited is None:
+            return "not known"  # of a case that had other answers
+        return next((line["of"] for line in strengths if any(re.search(what, cited) for what in line["cites"])), "exact")
+    return [strength(row) for row in entry["rows"]]
+
+
+def strength_lines():
+    return tomllib.loads((root / "validation" / "strengths.toml").read_text())["strength"]
+
+
+def values_by_strength(entries, strengths):
+    """(right, all) values by strength. Rows of a case with the same value judge one value, right where all are."""
+    values = {}
+    for entry in entries:
+        for row, strength in zip(entry["rows"], strengths_of(entry, strengths)):
+            if strength:
+                # a missing value, and nought, may be that of several quantities
+                same = row["value"] if row["value"] else row["quantity"]
+                key = (entry["suite"], entry["case"], entry["version"], row["unit"], same)
+                values.setdefault(key, []).append((strength, row["verdict"] in ("reproduced", "close")))
+    found = {}
+    for rows in values.values():
+        one = found.setdefault(rows[0][0], [0, 0])
+        one[0] += all(is_right for _, is_right in rows)
+        one[1] += 1
+    return found
+
+
 def judge_ratios_again(entry):
     """Judges stored ratios of runs by the bands that the case has today."""
     text = case_path(entry).read_text() if case_path(entry).exists() else ""

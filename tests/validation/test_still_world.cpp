@@ -55,8 +55,7 @@ std::vector<std::string> suites() {
 }
 
 class StillWorld : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Suites, StillWorld, testing::ValuesIn(suites()),
-                         [](const auto& one) { return one.param; });
+INSTANTIATE_TEST_SUITE_P(Suites, StillWorld, testing::ValuesIn(suites()), [](const auto& one) { return one.param; });
 
 TEST_P(StillWorld, IsRightInNoCaseOfASuiteButThoseBesideOneThatMoves) {
     const std::map<std::string, std::string> partners = moving_partners();
