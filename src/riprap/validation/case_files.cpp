@@ -221,7 +221,7 @@ void run_case_file(const CaseSetting& setting, CaseReport& report) {
     const scene::Value checked = scene::parse_toml(plain.resolved_toml, "the resolved case", ignored);
     std::vector<scene::Variation> runs{{}};
     for (scene::Variation& run : variations_of(checked)) {
-        if (setting.is_full || !run.is_full) {
+        if (!setting.is_plain && (setting.is_full || !run.is_full)) {
             runs.push_back(std::move(run));
         }
     }

@@ -17,6 +17,7 @@ struct CaseSetting {
     std::filesystem::path folder;   ///< validation/<suite>/<case> with the case's files
     std::filesystem::path results;  ///< where runs are kept; empty = they are not
     bool is_full{false};            ///< the long version
+    bool is_plain{false};           ///< the case as it stands alone, without its [[vary]]
     bool is_still{false};           ///< judges a world in which nothing moves, and takes no step
     AfterStep after_step{};         ///< is told how far a simulation is, where it is set
 };

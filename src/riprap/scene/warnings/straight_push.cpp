@@ -84,7 +84,6 @@ class Traveller {
 
     struct Push {
         Vec3 force{}, moment{};  ///< on the body; about a point that goes with it [N], [N m]
-        double energy{0};        ///< [J]
     };
 
     /// Sum over all pairs, the body moved by `shift`; moments about `about`, which is moved too.
@@ -95,7 +94,6 @@ class Traveller {
             if (touch(pair, shift, found)) {
                 sum.force += found.force;
                 sum.moment += found.moment + cross(found.point - about - shift, found.force);
-                sum.energy += found.energy;
             }
         }
         return sum;
@@ -166,7 +164,7 @@ class Traveller {
         moved.origin += shift;
         contact::SeparatingCache cache;
         contact::DistancePotentialOptions options = std::get<solid::DemSettings>(model_.solid).contact;
-        options.with_energy = true;
+        options.with_energy = false;  // dear of shapes with many faces, and given by the force along the way
         return contact::find_push({{a, moved}, stiffness(pair.a)}, {{b, placed_.frames[at(pair.b)]}, stiffness(pair.b)},
                                   options, cache, found);
     }
@@ -201,6 +199,15 @@ class Traveller {
     std::vector<contact::PartPair> pairs_;   ///< own part, other part: that may meet
     std::vector<contact::PartPair> beside_;  ///< that lie in each other, or go along a face
 };
+
+/// Work against a force that grows from f to g, as a power of the way from s to t; from nought as the way itself [J].
+double work_between(double s, double f, double t, double g) {
+    if (!(s > 0) || !(f > 0) || !(g > 0)) {
+        return 0.5 * (f + g) * (t - s);
+    }
+    const double power = std::log(g / f) / std::log(t / s);
+    return std::abs(power + 1) < 1e-6 ? f * s * std::log(t / s) : (g * t - f * s) / (power + 1);
+}
 
 /// Mass that answers to a push along a direction, by its moment about the centre of mass [kg].
 double effective_mass(const sim::Model& model, const sim::State& state, BodyId body, const Traveller::Push& push) {
@@ -289,15 +296,20 @@ std::optional<StraightPush> straight_push(const sim::Model& model, const sim::St
     }
     push.motion = 0.5 * effective_mass(model, state, body, at_first) * push.speed * push.speed;
     push.weight = model.bodies.mass[at(body.value)] * std::max(0.0, dot(model.gravity.at(0), in));
+    double before = 0, force_before = 0, stored = 0;
     for (double s = shortest * push.thin; s < growth * solid::most_overlap * push.thin; s *= growth) {
         const double way_in = std::min(s, solid::most_overlap * push.thin);
         const Traveller::Push now = traveller.push_at(start + way_in * in, center);
-        const bool leans = norm(now.force) > 0 && !(-dot(now.force, in) >= head_on * norm(now.force));
-        if (leans || (s > fine * push.thin && !(now.energy > 0))) {
+        const double force = -dot(now.force, in);
+        const bool leans = norm(now.force) > 0 && !(force >= head_on * norm(now.force));
+        if (leans || (s > fine * push.thin && !(force > 0))) {
             push.goes_round = true;
             break;
         }
-        push.samples.push_back({way_in, now.energy});
+        stored += work_between(before, force_before, way_in, force);
+        push.samples.push_back({way_in, stored});
+        before = way_in;
+        force_before = force;
     }
     return push;
 }

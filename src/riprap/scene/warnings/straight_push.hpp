@@ -14,7 +14,7 @@ namespace riprap::scene {
 /// with all that other bodies are where they are now.
 ///
 /// From where it meets something the body is moved on, along d, its way where it comes head on, else against the push,
-/// and E(s) is what its contacts store after a way s. They bring it to rest where
+/// and E(s) is what its contacts store after a way s, the work against their force. They bring it to rest where
 ///
 ///     E(s) = m_e v^2/2 + m g_d s,    1/m_e = 1/m + (r x d) . J^-1 (r x d),
 ///
