@@ -135,6 +135,7 @@ struct Holder {
         f(part.velocity, whole.velocity);
         f(part.density, whole.density);
         f(part.dilution, whole.dilution);
+        f(part.damping, whole.damping);
         f(part.shift, whole.shift);
         f(part.id, whole.id);
     }

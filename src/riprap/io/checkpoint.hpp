@@ -30,8 +30,8 @@ namespace riprap::io {
 
 /// Format that is written. Older ones are read too: what they lack begins anew (io/old_formats.hpp).
 /// 2: what verdicts remember; 3: deep pairs; 4: slip of bonds; 5: ways of walls that water was not told of; 6: gauges
-/// that respond slowly, and the clock of the flow.
-inline constexpr std::uint32_t checkpoint_version = 6;
+/// that respond slowly, and the clock of the flow; 7: damping of sound in the last kick.
+inline constexpr std::uint32_t checkpoint_version = 7;
 
 /// Header of a checkpoint.
 struct CheckpointHeader {

@@ -33,6 +33,7 @@ constexpr std::array later_fields{
     LaterField{"fluid.flow_travel", 6, ""},
     LaterField{"fluid.flow_stamp", 6, ""},
     LaterField{"run.renewals", 6, ""},
+    LaterField{"fluid.damping", 7, ""},
 };
 
 }  // namespace
@@ -45,9 +46,10 @@ const LaterField* later_field(std::uint32_t version, std::string_view name) {
 }
 
 std::string_view writer_of(std::uint32_t version) {
-    constexpr std::array<std::string_view, 7> writers{
+    constexpr std::array<std::string_view, 8> writers{
         "no Riprap",
         "Riprap 0.1 and 0.2",
+        "a Riprap on the way to 0.3",
         "a Riprap on the way to 0.3",
         "a Riprap on the way to 0.3",
         "a Riprap on the way to 0.3",

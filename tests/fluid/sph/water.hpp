@@ -81,7 +81,7 @@ struct Water {
         }
         accelerate(gravity, dt);
         drift(settings, state, 0.5 * dt);
-        dissipated_viscous += report.dissipated_viscous;
+        dissipated_viscous += report.dissipated_viscous + report.earlier_heat;
         dissipated_diffusion += report.by_density.sum();
         shifted += report.shifted;
         work_on_solids += report.work_on_solids;

@@ -19,6 +19,7 @@ struct ParticleColumns {
     Vec3* velocity{nullptr};
     double* density{nullptr};
     double* dilution{nullptr};
+    double* damping{nullptr};  ///< nullptr: none
 
     std::span<const Vec3> positions() const { return {position, static_cast<std::size_t>(count)}; }
     std::span<const Vec3> velocities() const { return {velocity, static_cast<std::size_t>(count)}; }
@@ -52,7 +53,8 @@ inline bool may_stick(const BoundaryParticles& walls) {
 }
 
 inline ParticleColumns columns_of(ParticleState& state) {
-    return {state.size(), state.position.data(), state.velocity.data(), state.density.data(), state.dilution.data()};
+    return {state.size(),         state.position.data(), state.velocity.data(),
+            state.density.data(), state.dilution.data(), state.damping.empty() ? nullptr : state.damping.data()};
 }
 /// To be read only.
 inline ParticleColumns columns_of(const ParticleState& state) { return columns_of(const_cast<ParticleState&>(state)); }

@@ -20,6 +20,9 @@ struct ParticleState {
     /// SPH: share of density that the last shift took, due at the next update of density. WC-MPS: damped compression in
     /// half of the last step, whose heat is due then. MPS: density that the pressure at the start lacks [-].
     std::vector<double> dilution;
+    /// SPH: what the damping of sound took in the last kick per compression, V a s h rho_0 c_0 (-div v), whose other
+    /// half is due at the next update of density; empty = none [J].
+    std::vector<double> damping;
     std::vector<Vec3> shift;       ///< half of the last shift, due after the next update of density; empty = none [m]
     std::vector<std::int32_t> id;  ///< of the particle for life: 0 to size() - 1 at the start
     double max_acceleration{0};    ///< in the last step; limits the next [m/s^2]
@@ -35,6 +38,9 @@ struct ParticleState {
         velocity.push_back(v);
         density.push_back(rho);
         dilution.push_back(0);
+        if (!damping.empty()) {
+            damping.push_back(0);
+        }
         if (!shift.empty()) {
             shift.emplace_back();
         }
@@ -48,6 +54,7 @@ struct ParticleState {
         visit("fluid.velocity", self.velocity);
         visit("fluid.density", self.density);
         visit("fluid.dilution", self.dilution);
+        visit("fluid.damping", self.damping);
         visit("fluid.shift", self.shift);
         visit("fluid.id", self.id);
         visit("fluid.max_acceleration", self.max_acceleration);

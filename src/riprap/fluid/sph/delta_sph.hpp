@@ -56,6 +56,9 @@ class DeltaSph : public SphForces<WendlandC2, Site> {
 
     NumbersView<tensor_numbers> velocity_gradient_;  ///< lent, where there is stress [1/s]
     Numbers<3, Where> stress_at_walls_;              ///< of TransposedOnWalls
+    FlowWork flow_;                                  ///< of the update of density in this step
+    double damping_{0};                              ///< DensityUpdate::damping of this step [W]
+    double density_time_{0};                         ///< dt of its update of density [s]
 };
 
 template <class Site>
@@ -82,6 +85,8 @@ DensitySums DeltaSph<Site>::sum_continuity(const ParticleColumns& fluid, const W
 template <class Site>
 void DeltaSph<Site>::update_density(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
                                     double dt, ParticleReport& report) {
+    const double resistance = resistance_of_damping(settings_);
+    state.damping.resize(resistance > 0 ? state.position.size() : 0);
     site_.take(reach_of(settings_), state, walls);
     const ParticleColumns fluid = site_.water(state);
     this->find_pressure(fluid);
@@ -102,6 +107,8 @@ void DeltaSph<Site>::update_density(ParticleState& state, const BoundaryParticle
                                      PressureLaw(settings_),
                                      fluid.density,
                                      fluid.dilution,
+                                     fluid.damping,
+                                     resistance,
                                      sums,
                                      corrections_,
                                      water_.bareness.columns()};
@@ -109,6 +116,9 @@ void DeltaSph<Site>::update_density(ParticleState& state, const BoundaryParticle
     report.by_density = update.losses;
     report.shifted = update.shifting;
     report.volume = update.volume;
+    flow_ = update.flow;
+    damping_ = update.damping;
+    density_time_ = dt;
     site_.give_density(state);
 }
 
@@ -175,6 +185,8 @@ void DeltaSph<Site>::kick(ParticleState& state, const BoundaryParticles& walls, 
         add_stress_from_walls(fluid, solid);
     }
     shift(state.blocks(), fluid, pull, span.dt, report);
+    report.by_density.diffusion += flow_.beyond(density_time_, span.dt);
+    report.earlier_heat += (density_time_ - 0.5 * span.dt) * damping_;
     this->finish_kick(state, walls, pull, span, extra_force, report);
 }
 

@@ -91,9 +91,12 @@ struct AdvanceOnGeometry {
     PressureLaw pressure_at;
     double* density;
     const double* dilution;  ///< nullptr: nothing is due
+    double* damping;         ///< nullptr: sound is not damped
+    double resistance;  ///< of the damping of sound in the next kick; 0 where another update comes before it [Pa s]
     const Vec3* velocity;
     NumbersView<1> diffusion;
-    bool has_walls;  ///< the rate has the part of walls
+    NumbersView<1> damped;  ///< s_i of Sound [-]
+    bool has_walls;         ///< the rate has the part of walls
     NumbersView<symmetric_numbers> correction;
     Surroundings around;
 
@@ -118,11 +121,16 @@ struct AdvanceOnGeometry {
         DensityParts parts{before, diluted, after, spread, torn, escaped, leaves_wall};
         parts.refused = dilution != nullptr ? before * (1 - dilution[i]) - diluted : 0;
         // pairs take what they give to round-off
-        return book_density(parts, particle_mass, pressure_at(mean), -particle_mass / (diluted * diluted) * spread);
+        DensityUpdate update =
+            book_density(parts, particle_mass, pressure_at(mean), -particle_mass / (diluted * diluted) * spread);
+        const double next = damping != nullptr ? resistance * damped[i] * around.volume[i] * rate : 0;
+        update.damping = turn_damping(damping != nullptr ? damping + i : nullptr, next, rate);
+        return update;
     }
 };
 
-/// Finds the pressure that forces see, with the damping of sound, and the heat of that.
+/// Finds the pressure that forces see, with the damping of sound, and the half of the heat of that which the velocities
+/// before the kick make.
 struct DampSound {
     PressureLaw pressure_at;
     double resistance;  ///< [Pa s]
@@ -133,7 +141,7 @@ struct DampSound {
     RIPRAP_HD void operator()(std::int64_t entry) const {
         const auto i = static_cast<std::size_t>(entry);
         const double damping = resistance * damped[i] * rate[i];
-        heat.set(i, damping * rate[i]);
+        heat.set(i, 0.5 * damping * rate[i]);
         pressure.set(i, pressure_at(density[i]) + damping);
     }
 };

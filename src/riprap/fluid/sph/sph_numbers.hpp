@@ -20,7 +20,7 @@ struct SphPlaces {
         rates = inside + 1, force = rates, to_surface = force + 3,
         diffusion = rates + symmetric_numbers, wall_heat = diffusion,
         compression_rate = diffusion + 1, heat = compression_rate,
-        wall_hold = compression_rate + 1,
+        wall_hold = compression_rate + 1, rates_alone = wall_hold,
         wall_hold_power = wall_hold + 3,
         velocity_gradient = wall_hold_power + 1,
         count = velocity_gradient,
@@ -35,12 +35,16 @@ struct DensitySums {
     NumbersView<1> inside;  ///< share of a particle inside the water alone, with neighbours evenly all around [-]
     NumbersView<symmetric_numbers> rates;  ///< G [1/s]
     NumbersView<1> diffusion;
+    NumbersView<1> rates_alone;  ///< tr G of the water alone [1/s]
 };
 template <class Where>
 DensitySums lend_density_sums(StageMemory<Where>& memory) {
     return {memory.template lend<symmetric_numbers>(SphPlaces::moments),
-            memory.template lend<1>(SphPlaces::moments_alone), memory.template lend<1>(SphPlaces::inside),
-            memory.template lend<symmetric_numbers>(SphPlaces::rates), memory.template lend<1>(SphPlaces::diffusion)};
+            memory.template lend<1>(SphPlaces::moments_alone),
+            memory.template lend<1>(SphPlaces::inside),
+            memory.template lend<symmetric_numbers>(SphPlaces::rates),
+            memory.template lend<1>(SphPlaces::diffusion),
+            memory.template lend<1>(SphPlaces::rates_alone)};
 }
 
 /// Made by the update of density: read by the sums of forces and, the first two, by shifting.

@@ -59,7 +59,9 @@ double TwoClocks::renew(ParticleState& state, const BoundaryParticles& walls, co
     }
     if (flow.has_geometry()) {
         // Half of the change of density between two kicks belongs to the geometry of either.
-        advance(state, walls, in_plane(gravity, settings_.domain), since - 0.5 * span.dt, report);
+        const double half = since - 0.5 * span.dt;
+        advance(state, walls, in_plane(gravity, settings_.domain), half, true, report);
+        report.earlier_heat += half * damping_;
         since = 0.5 * span.dt;
     }
     const std::int64_t steps = are_walls_still ? sound_steps(state, span.dt) : 1;
@@ -117,8 +119,8 @@ void TwoClocks::place(const ParticleState& state, const BoundaryParticles& walls
     site_.lists().place(reach_of(settings_), state.blocks(), state.flow.place, walls.position);
 }
 
-void TwoClocks::find_geometry(const ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity,
-                              double dt, ParticleReport& report) {
+void TwoClocks::find_geometry(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
+                              ParticleReport& report) {
     place(state, walls);
     ParticleColumns start = in_geometry(state);
     start.velocity = const_cast<Vec3*>(state.flow.velocity.data());
@@ -135,7 +137,7 @@ void TwoClocks::find_geometry(const ParticleState& state, const BoundaryParticle
     add_pair_sums(settings_, WallSlope{kernel_}, side(start.positions()), side(walls.position, walls.volume),
                   fresh(sinks(wall_slope_)), site_.lists().fluid_walls);
     if (dt > 0) {
-        carry_density(state, sums.diffusion, dt, true, report);
+        carry_density(state, sums.diffusion, dt, Update::first, report);
     }
     find_slow_forces(start, walls, gravity);
     known_ = state.flow.stamp;
@@ -175,7 +177,7 @@ void TwoClocks::update_density(ParticleState& state, const BoundaryParticles& wa
                                ParticleReport& report) {
     if (!state.flow.is_under_way()) {
         known_ = 0;
-        const DensityUpdate closing{report.by_density, report.shifted, report.volume};
+        const DensityUpdate closing{report.by_density, report.shifted, report.volume, {}, 0};
         Base::update_density(state, walls, gravity, dt, report);
         book(closing, report);
         return;
@@ -184,12 +186,13 @@ void TwoClocks::update_density(ParticleState& state, const BoundaryParticles& wa
     if (state.flow.done == 0) {
         find_geometry(state, walls, pull, dt, report);
     } else {
-        advance(state, walls, pull, dt, report);
+        advance(state, walls, pull, dt, false, report);
     }
+    density_time_ = dt;
 }
 
 void TwoClocks::advance(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
-                        ParticleReport& report) {
+                        bool is_closing, ParticleReport& report) {
     if (known_ != state.flow.stamp) {
         find_geometry(state, walls, gravity, 0, report);
     }
@@ -202,11 +205,14 @@ void TwoClocks::advance(ParticleState& state, const BoundaryParticles& walls, co
         settings_, SoundContinuity{kernel_, {weight.x, weight.y, weight.z}},
         side(fluid.positions(), fluid.velocities(), water_.pressure, water_.volume, corrections_.tensor),
         fresh(sinks(diffusion, rate_)), site_.lists().fluid_fluid);
-    carry_density(state, diffusion, dt, false, report);
+    carry_density(state, diffusion, dt, is_closing ? Update::closing : Update::within, report);
 }
 
-void TwoClocks::carry_density(const ParticleState& state, NumbersView<1> diffusion, double dt, bool is_first,
+void TwoClocks::carry_density(ParticleState& state, NumbersView<1> diffusion, double dt, Update update,
                               ParticleReport& report) {
+    const bool is_first = update == Update::first;
+    const double resistance = resistance_of_damping(settings_);
+    state.damping.resize(resistance > 0 ? state.position.size() : 0);
     const ParticleColumns fluid = in_geometry(state);
     const double diffusivity = 2 * settings_.density_diffusion * settings_.smoothing_length() /
                                (settings_.sound_speed * settings_.rest_density);
@@ -218,12 +224,17 @@ void TwoClocks::carry_density(const ParticleState& state, NumbersView<1> diffusi
                                         PressureLaw(settings_),
                                         fluid.density,
                                         is_first ? fluid.dilution : nullptr,
+                                        fluid.damping,
+                                        update == Update::closing ? 0 : resistance,
                                         fluid.velocity,
                                         diffusion,
+                                        corrections_.damped,
                                         is_first,
                                         corrections_.tensor,
                                         around()};
-    book(Where::sum(state.blocks(), advance_one), report);
+    const DensityUpdate sums = Where::sum(state.blocks(), advance_one);
+    damping_ = sums.damping;
+    book(sums, report);
 }
 
 void TwoClocks::begin_forces(ParticleState& state, const BoundaryParticles& walls, const TimeSpan& span,
@@ -273,6 +284,7 @@ void TwoClocks::kick(ParticleState& state, const BoundaryParticles& walls, const
     add_pair_sums(settings_, WallSlope{kernel_}, side(fluid.positions()),
                   side(std::span<const Vec3>(walls.position), std::array{push_of(columns_of(walls))}),
                   fresh(sinks(forces_.wall_hold)), site_.lists().fluid_walls);
+    report.earlier_heat += (density_time_ - 0.5 * span.dt) * damping_;
     finish_kick_in_flow(state, walls, pull, span, extra_force, report);
     FlowClock& flow = state.flow;
     if (flow.done == 0) {

@@ -39,13 +39,19 @@ class TwoClocks : public DeltaSph<WaterInPlace> {
     std::size_t bytes() const override;
 
  private:
+    /// Update of density within a flow step.
+    enum class Update {
+        first,   ///< with the sums of its geometry
+        within,  ///< by sums of its own
+        closing  ///< of half a step, on a geometry that ends; another follows on the next one
+    };
     static std::uint64_t stamp_of(const FlowClock& flow);
     static void begin_flow_step(ParticleState& state, std::int64_t steps, double dt);
     /// Carries the density on a geometry, which is found where it is not at hand.
-    void advance(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
+    void advance(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt, bool is_closing,
                  ParticleReport& report);
     /// Carries it by the rates and the diffusion that were summed.
-    void carry_density(const ParticleState& state, NumbersView<1> diffusion, double dt, bool is_first,
+    void carry_density(ParticleState& state, NumbersView<1> diffusion, double dt, Update update,
                        ParticleReport& report);
     /// The sound steps that a flow step from this State may have.
     std::int64_t sound_steps(const ParticleState& state, double dt) const;
@@ -54,7 +60,7 @@ class TwoClocks : public DeltaSph<WaterInPlace> {
     void place(const ParticleState& state, const BoundaryParticles& walls);
     /// Finds all that lasts as long as the geometry, from the FlowClock alone. Its sums are those of the first sound
     /// step too: that one carries the density by them, for dt > 0.
-    void find_geometry(const ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
+    void find_geometry(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,
                        ParticleReport& report);
     void find_slow_forces(const ParticleColumns& start, const BoundaryParticles& walls, const Vec3& gravity);
     void shift_flow(ParticleState& state, const BoundaryParticles& walls, const Vec3& gravity, double dt,

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "riprap/fluid/particle/columns.hpp"
+#include "riprap/fluid/particle/flow_work.hpp"
 #include "riprap/fluid/particle/linear_law.hpp"
 #include "riprap/fluid/particle/sweep/numbers.hpp"
 #include "riprap/fluid/particle/volume_book.hpp"
@@ -36,8 +37,8 @@ struct FindPressure {
     }
 };
 
-/// Notes from the water alone, before walls are added: tr M, and how much of a particle is inside it, away from
-/// surfaces and walls, with neighbours evenly all around.
+/// Notes from the water alone, before walls are added: tr M and tr G, and how much of a particle is inside it, away
+/// from surfaces and walls, with neighbours evenly all around.
 struct LookAround {
     int dimension;
     double h;
@@ -49,6 +50,7 @@ struct LookAround {
         const double sum = trace(dimension, sums.moments.all(i));
         const double lopsidedness = h * norm(concentration_gradient.vector(i));
         sums.moments_alone.set(i, sum);
+        sums.rates_alone.set(i, trace(dimension, sums.rates.all(i)));
         sums.inside.set(i, interior_share(sum / dimension) * even_share(lopsidedness));
     }
 };
@@ -58,14 +60,31 @@ struct DensityUpdate {
     DensityLosses losses;  ///< [J]
     double shifting{0};    ///< the same by shifting [J]
     VolumeBook volume;     ///< [m^3]
+    FlowWork flow;         ///< of a step with a geometry of its own
+    double damping{0};     ///< of sound, by the stress of the last kick and the velocities after it [W]
 
     template <class By>
     RIPRAP_HD static void join(DensityUpdate& a, const DensityUpdate& b, const By& by) {
         by.add(a.losses, b.losses);
         by.add(a.shifting, b.shifting);
         by.add(a.volume, b.volume);
+        FlowWork::join(a.flow, b.flow, by);
+        by.add(a.damping, b.damping);
     }
 };
+
+/// Returns the power of the damping that acted in the last kick, whose other half is due now, and keeps what will act
+/// in the next one.
+/// @param of_last  ParticleState::damping of the particle; nullptr where sound is not damped
+/// @param next     V a s h rho_0 c_0 (-div v) [J], @param rate  -div v [1/s]
+RIPRAP_HD inline double turn_damping(double* of_last, double next, double rate) {
+    if (of_last == nullptr) {
+        return 0;
+    }
+    const double last = *of_last;
+    *of_last = next;
+    return last * rate;
+}
 
 /// Parts of an update of the density of a particle, in the order in which they act [kg/m^3].
 struct DensityParts {
@@ -87,7 +106,9 @@ RIPRAP_HD inline DensityUpdate book_density(const DensityParts& parts, double pa
     const double per_density = particle_mass * pressure / (mean * mean), per_gain = -particle_mass / (before * after);
     DensityUpdate update{{-per_density * parts.spread, -per_density * parts.torn, -per_density * parts.escaped, 0},
                          per_density * (before - parts.diluted),
-                         {}};
+                         {},
+                         {},
+                         0};
     VolumeBook& volume = update.volume;
     (parts.leaves_wall ? volume.walls : volume.tearing) = per_gain * parts.torn;
     volume.escape = per_gain * parts.escaped;
@@ -107,6 +128,8 @@ struct AdvanceDensity {
     PressureLaw pressure_at;
     double* density;
     const double* dilution;
+    double* damping;    ///< nullptr: sound is not damped
+    double resistance;  ///< of the damping of sound [Pa s]
     DensitySums sums;
     Corrections corrections;  ///< may have the places of the sums
     NumbersView<1> bareness;
@@ -134,10 +157,28 @@ struct AdvanceDensity {
         DensityParts parts{before, diluted, after, spread, torn, escaped, leaves_wall};
         parts.refused = before * (1 - dilution[i]) - diluted;
         // pairs take what they give to round-off
-        return book_density(parts, particle_mass, pressure_at(mean), -particle_mass / (before * diluted) * spread);
+        DensityUpdate update =
+            book_density(parts, particle_mass, pressure_at(mean), -particle_mass / (before * diluted) * spread);
+        // by the mean of B's diagonal: where walls are near, B is next to 1
+        const double of_walls = trace(dimension, corrections.tensor.all(i)) / dimension *
+                                (trace(dimension, sums.rates.all(i)) - sums.rates_alone[i]);
+        update.flow = work_of_flow(before, after, dt * diluted, rate - of_walls, of_walls);
+        const double next = damping != nullptr ? resistance * corrections.damped[i] * particle_mass / after * rate : 0;
+        update.damping = turn_damping(damping != nullptr ? damping + i : nullptr, next, rate);
+        return update;
     }
 
  private:
+    /// Forces see the volumes of both sides as they are at their time, an update those before it; walls keep theirs.
+    /// What the volume of a neighbour changes by is taken to be what the particle's own does.
+    /// @param gain  by which density grows, over the rate [kg s/m^3]
+    RIPRAP_HD FlowWork work_of_flow(double before, double after, double gain, double of_water, double of_walls) const {
+        const double mean = 0.5 * (before + after);
+        return {particle_mass * pressure_at(mean) / (mean * mean) * gain * (of_water + of_walls),
+                particle_mass / before * pressure_at(before) * (of_water + of_walls),
+                particle_mass / after * pressure_at(after) * (of_water * before / after + of_walls)};
+    }
+
     RIPRAP_HD void correct(std::size_t i, const Symmetric& moments, double caught) const {
         const GradientCorrection found =
             corrects_gradients ? gradient_correction(dimension, moments) : GradientCorrection{make_unit_tensor(), 0};
@@ -149,7 +190,8 @@ struct AdvanceDensity {
     }
 };
 
-/// Finds the fields that the sums of forces read: volume, the pressure with damping and its heat, and the viscosity.
+/// Finds the fields that the sums of forces read: volume, the pressure with damping and the half of its heat that the
+/// velocities before the kick make, and the viscosity.
 template <class Law>
 struct PrepareForces {
     ParticleSettings settings;
@@ -169,7 +211,7 @@ struct PrepareForces {
         }
         volume.set(i, settings.particle_mass / density[i]);
         const double damping = resistance * corrections.damped[i] * corrections.compression_rate[i];
-        heat.set(i, damping * corrections.compression_rate[i]);
+        heat.set(i, 0.5 * damping * corrections.compression_rate[i]);
         pressure.set(i, pressure_at(density[i]) + damping);
     }
 };

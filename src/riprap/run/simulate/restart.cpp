@@ -108,7 +108,8 @@ void check_openings(const io::Checkpoint& checkpoint, const coupling::ParticleFl
     const std::size_t count = water.position.size(), layers = open.position.size();
     const auto outflows = static_cast<std::int32_t>(model.open.outflows.size());
     if (water.velocity.size() != count || water.density.size() != count || water.dilution.size() != count ||
-        (!water.shift.empty() && water.shift.size() != count) || water.id.size() != count ||
+        (!water.shift.empty() && water.shift.size() != count) ||
+        (!water.damping.empty() && water.damping.size() != count) || water.id.size() != count ||
         open.velocity.size() != layers || open.outflow.size() != layers || static_cast<std::int64_t>(count) > most) {
         refuse(checkpoint, "the fields of the water differ in length");
     }
@@ -144,7 +145,8 @@ sim::State restore_state(const io::Checkpoint& checkpoint, const sim::Model& mod
     const bool is_open = water != nullptr;  // what splashes out of the domain is let go
     const auto has_fixed_length = [is_open](std::string_view name) {
         return name.starts_with("body.") ||
-               (!is_open && name.starts_with("fluid.") && name != "fluid.shift" && !name.starts_with("fluid.flow_")) ||
+               (!is_open && name.starts_with("fluid.") && name != "fluid.shift" && name != "fluid.damping" &&
+                !name.starts_with("fluid.flow_")) ||
                (name.starts_with("coupling.") && name != "coupling.near_samples") || name == "open.layers" ||
                name == "open.entered" || name == "open.left";
     };

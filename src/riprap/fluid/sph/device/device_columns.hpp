@@ -20,25 +20,33 @@ class WaterThere {
         Where::template upload<Vec3>(state.velocity, velocity_);
         Where::template upload<double>(state.density, density_);
         Where::template upload<double>(state.dilution, dilution_);
+        Where::template upload<double>(state.damping, damping_);
     }
-    void give_density(ParticleState& state) const { Where::template download<double>(density_, state.density); }
+    void give_density(ParticleState& state) const {
+        Where::template download<double>(density_, state.density);
+        Where::template download<double>(damping_, state.damping);
+    }
     void give_motion(ParticleState& state) const {
         Where::template download<Vec3>(position_, state.position);
         Where::template download<Vec3>(velocity_, state.velocity);
         Where::template download<double>(dilution_, state.dilution);
     }
     ParticleColumns columns() {
-        return {static_cast<std::int64_t>(position_.size()), position_.data(), velocity_.data(), density_.data(),
-                dilution_.data()};
+        return {static_cast<std::int64_t>(position_.size()),
+                position_.data(),
+                velocity_.data(),
+                density_.data(),
+                dilution_.data(),
+                damping_.size() > 0 ? damping_.data() : nullptr};
     }
     std::size_t bytes() const {
         return (position_.capacity() + velocity_.capacity()) * sizeof(Vec3) +
-               (density_.capacity() + dilution_.capacity()) * sizeof(double);
+               (density_.capacity() + dilution_.capacity() + damping_.capacity()) * sizeof(double);
     }
 
  private:
     typename Where::template Array<Vec3> position_, velocity_;
-    typename Where::template Array<double> density_, dilution_;
+    typename Where::template Array<double> density_, dilution_, damping_;
 };
 
 /// Walls likewise.
