@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "ground_case.hpp"
 #include "riprap/run/simulate/simulation.hpp"
 #include "riprap/scene/read_case.hpp"
 
@@ -39,8 +40,8 @@ std::string answer(const std::string& quantity, double value, double tolerance) 
         quantity, value, tolerance);
 }
 
-void expect_answers(const std::string& text) {
-    Simulation simulation(scene::read_case_text(text, "case.toml", "."));
+void expect_answers(const std::string& text, const std::string& folder = ".") {
+    Simulation simulation(scene::read_case_text(text, "case.toml", folder));
     while (simulation.steps_left() > 0) {
         const StepOutcome outcome = simulation.step(sim::Measure::flow);
         ASSERT_NE(outcome.kind, StepOutcome::Kind::refused) << outcome.why.text;
@@ -98,6 +99,49 @@ INSTANTIATE_TEST_SUITE_P(Methods, RoundContacts,
                                            Method{"distance_potential_dem", "contact = \"common_plane_soft\""},
                                            Method{"distance_potential_dem", "contact = \"common_plane_penalty\""},
                                            Method{"sphere_dem", ""}, Method{"explicit_dda", ""},
+                                           Method{"implicit_dda", ""}));
+
+class RoundOnGround : public ::testing::TestWithParam<Method> {};
+
+TEST_P(RoundOnGround, ADiscRollsOverTheCornersOfAProfileAsOverAPlane) {
+    expect_answers(scene_of(GetParam(), true, 0.8, 0.5) +
+                   body("ground", "terrain = { profile = [[-4, 0], [-1.1, 0], [-0.73, 0], [0.1, 0], [4, 0]] }",
+                        "0.0, 0.0", "fixed = true") +
+                   body("disc", "sphere = 0.2", "-1.0, 0.2", "velocity = [2.0, 0.0]") +
+                   answer("disc.velocity.x", 4.0 / 3, 0.01));
+}
+
+TEST_P(RoundOnGround, ABallRollsOverTrianglesAsOverAPlane) {
+    const CaseFolder folder;
+    folder.write_heights(30, 16, 0.13, [](double, double) { return 0.0; });
+    expect_answers(scene_of(GetParam(), false, 0.6, 0.5) +
+                       body("ground", "terrain = { file = 'bed.asc' }", "0.0, 0.0, 0.0", "fixed = true") +
+                       body("ball", "sphere = 0.2", "-0.5, 0.03, 0.2", "velocity = [2.0, 0.0, 0.0]") +
+                       answer("ball.velocity.x", 10.0 / 7, 0.01) + answer("ball.velocity.y", 0, 0.01),
+                   folder.path());
+}
+
+// In a gutter of 90 degrees a ball touches both sides, its centre r sqrt(2) above the bottom; on the crest of a roof it
+// balances on the line, r above it, and rolls along it with 5/7 of its speed.
+TEST_P(RoundOnGround, ABallLiesInAGutterAndRollsAlongACrest) {
+    for (const bool is_crest : {false, true}) {
+        const CaseFolder folder;
+        const double y0 = 0.04;
+        folder.write_heights(30, 27, 0.08,
+                             [&](double, double y) { return (is_crest ? -0.3 : 1.0) * std::abs(y - y0); });
+        const double height = is_crest ? 0.2 : 0.2 * std::sqrt(2.0);
+        const std::string motion = is_crest ? "velocity = [1.0, 0.0, 0.0]" : "";
+        expect_answers(scene_of(GetParam(), false, is_crest ? 0.3 : 0.5, 0.4) +
+                           body("ground", "terrain = { file = 'bed.asc' }", "0.0, 0.0, 0.0", "fixed = true") +
+                           body("ball", "sphere = 0.2", fmt::format("0.1, {}, {:.15g}", y0, height), motion) +
+                           answer("ball.displacement.z", 0, 1e-3) + answer("ball.displacement.y", 0, 1e-3) +
+                           answer("ball.velocity.x", is_crest ? 5.0 / 7 : 0, is_crest ? 0.01 : 1e-3),
+                       folder.path());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, RoundOnGround,
+                         ::testing::Values(Method{"sphere_dem", ""}, Method{"explicit_dda", ""},
                                            Method{"implicit_dda", ""}));
 
 }  // namespace
