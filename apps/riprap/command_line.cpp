@@ -71,9 +71,7 @@ void add_run(CLI::App& app, Action& action) {
     command->add_option("--out", *out, "The run folder (default: runs/NAME)");
     command->add_option("--threads", options->threads, "Threads (default: OMP_NUM_THREADS, or else all)")
         ->check(CLI::Range(1, max_threads));
-    command->add_option("--set", options->overrides, "Replace a key of the case: --set end=2 --set solid.skin=0.2")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    add_set(*command, options->overrides, "Replace a key of the case: --set end=2 --set solid.skin=0.2");
     struct Limits {
         std::optional<std::string> end, max_steps;
     };
@@ -107,6 +105,7 @@ void add_run(CLI::App& app, Action& action) {
         require_submit(ensemble->slurm);
         for (const auto& [key, value] : {std::pair("end=", limits->end), std::pair("max_steps=", limits->max_steps)}) {
             if (value) {
+                refuse_second_value(options->overrides, key + *value);
                 options->overrides.push_back(key + *value);
             }
         }
@@ -156,9 +155,7 @@ void add_check(CLI::App& app, Action& action) {
         "check", "Read a case, report every problem, and predict time step, steps, memory and output");
     command->footer("Example:\n  riprap check dam_break_floes --set fluid.spacing=\"3 mm\"");
     command->add_option("CASE", options->case_text, case_help)->required();
-    command->add_option("--set", options->overrides, "Replace a key of the case")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    add_set(*command, options->overrides, "Replace a key of the case");
     command->add_flag("--json", options->as_json, "As JSON");
     command->callback([&action, options] {
         action = [options] {
@@ -174,9 +171,7 @@ void add_matrix(CLI::App& app, Action& action) {
         app.add_subcommand("matrix", "Run a case with every solid method and every fluid, and judge it in each");
     command->footer("Example:\n  riprap matrix sliding_block --scales");
     command->add_option("CASE", options->case_path, case_help)->required();
-    command->add_option("--set", options->overrides, "Replace a key of the case")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    add_set(*command, options->overrides, "Replace a key of the case");
     command->add_option("--value", options->quantity,
                         "Column to show (default: an answer that is missed, else the first)");
     command->add_flag("--scales", options->has_scales,

@@ -14,6 +14,11 @@ using Action = std::function<int()>;
 /// For commands that only print: a reader that has seen enough (`| head`) ends them without a word, as it does others.
 void end_with_reader();
 
+/// Adds --set KEY=VALUE. One key with two values is refused: the last one would count without a word.
+void add_set(CLI::App& command, std::vector<std::string>& overrides, const std::string& help);
+/// @throws CLI::ValidationError where an assignment gives a key of `overrides` another value
+void refuse_second_value(const std::vector<std::string>& overrides, const std::string& assignment);
+
 /// Adds the commands that look at the folder of a run: view, render, plot, waves, damage and pack.
 void add_commands_of_runs(CLI::App& app, Action& action);
 

@@ -171,9 +171,7 @@ void add_sweep(CLI::App& app, Action& action) {
                      "Instead of --vary: a text file with keys in its first line and the values of a run in each other")
         ->type_name("FILE")
         ->excludes(vary);
-    command->add_option("--set", words->overrides, "Replace a key of the case in all runs")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    add_set(*command, words->overrides, "Replace a key of the case in all runs");
     command->add_option("--out", words->out, "The folder of the study (default: runs/NAME_sweep)");
     command->add_option("--jobs", words->jobs, "Runs at a time (default: as many as cores allow)")
         ->check(CLI::Range(1, max_jobs));

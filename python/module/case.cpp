@@ -25,17 +25,21 @@ Case load(const std::filesystem::path& path, const py::object& overrides) {
     return {std::move(loaded), std::move(assignments), run::short_name(file)};
 }
 
-Case loads(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-           const py::object& overrides) {
+Case loads_utf8(const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                const py::object& overrides) {
     std::vector<std::string> assignments = to_overrides(overrides);
     const py::gil_scoped_release unlocked;
     scene::LoadedCase loaded = scene::read_case_text(text, name, folder.string(), assignments);
     return {std::move(loaded), std::move(assignments), "case"};
 }
 
-Case build(const py::dict& keys, const std::string& name, const std::filesystem::path& folder,
+Case loads(const py::str& text, const py::str& name, const std::filesystem::path& folder, const py::object& overrides) {
+    return loads_utf8(utf8_of(text, "the text of the case"), utf8_of(name, "name"), folder, overrides);
+}
+
+Case build(const py::dict& keys, const py::str& name, const std::filesystem::path& folder,
            const py::object& overrides) {
-    return loads(scene::write_toml(to_value(keys)), name, folder, overrides);
+    return loads_utf8(scene::write_toml(to_value(keys)), utf8_of(name, "name"), folder, overrides);
 }
 
 std::vector<std::string> body_names(const Case& self) {

@@ -10,6 +10,14 @@ namespace riprap::python {
 namespace py = pybind11;
 using scene::Value;
 
+std::string utf8_of(const py::handle& text, const std::string& path) {
+    try {
+        return text.cast<std::string>();
+    } catch (const py::cast_error&) {
+        throw py::value_error(path + " holds half of a surrogate pair, which is no character; a case is text in UTF-8");
+    }
+}
+
 namespace {
 
 constexpr int deepest = 32;  // a dict that holds itself has no end
@@ -22,7 +30,7 @@ Value convert_table(const py::dict& keys, const std::string& path, int depth) {
         if (!py::isinstance<py::str>(key)) {
             throw py::type_error((path.empty() ? "the case" : path) + " has a key that is not a text");
         }
-        const auto name = key.cast<std::string>();
+        const std::string name = utf8_of(key, path.empty() ? "a key of the case" : "a key of " + path);
         table.set(name, convert(value, path.empty() ? name : path + "." + name, depth + 1));
     }
     return table;
@@ -54,7 +62,7 @@ Value convert(const py::handle& object, const std::string& path, int depth) {
         return Value::of(object.cast<double>());
     }
     if (py::isinstance<py::str>(object)) {
-        return Value::of(std::string_view(object.cast<std::string>()));
+        return Value::of(std::string_view(utf8_of(object, path)));
     }
     if (py::isinstance<py::dict>(object)) {
         return convert_table(py::reinterpret_borrow<py::dict>(object), path, depth);
@@ -84,7 +92,7 @@ std::vector<std::string> to_overrides(const py::object& overrides) {
             if (!py::isinstance<py::str>(assignment)) {
                 throw py::type_error("overrides: a list of them holds texts, [\"end=2.0\"]");
             }
-            assignments.push_back(assignment.cast<std::string>());
+            assignments.push_back(utf8_of(assignment, "an override"));
         }
         return assignments;
     }
@@ -96,7 +104,7 @@ std::vector<std::string> to_overrides(const py::object& overrides) {
         if (!py::isinstance<py::str>(key)) {
             throw py::type_error("overrides has a key that is not a text");
         }
-        const auto path = key.cast<std::string>();
+        const std::string path = utf8_of(key, "a key of overrides");
         const Value converted = convert(value, path, 0);
         if (converted.is_table()) {
             throw py::type_error(path + " is a table; give its keys one by one, as \"" + path + ".key\"");

@@ -10,6 +10,9 @@
 
 namespace riprap::python {
 
+/// A text of Python. @throws ValueError that names `path` where it has a lone surrogate, as names of files may
+std::string utf8_of(const pybind11::handle& text, const std::string& path);
+
 /// A Python dict as a table of a case: bool, int, float, str, lists and tuples, dicts with text keys, NumPy scalars and
 /// arrays. @throws TypeError naming the key for anything else
 scene::Value to_value(const pybind11::dict& keys);

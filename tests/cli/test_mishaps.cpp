@@ -79,6 +79,21 @@ TEST_F(Mishaps, ATableThatIsCutOrAddedToDuringARunIsNoSuccess) {
     }
 }
 
+TEST_F(Mishaps, TheTableOfBodiesOfARunAtItsEndIsMendedAndThatIsTold) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "max_steps=20"}).code, 0);
+    const std::string whole = text_of(folder / "a" / "bodies.csv");
+    for (const std::size_t kept : {std::size_t{0}, whole.size() / 2}) {
+        std::ofstream(folder / "a" / "bodies.csv") << whole.substr(0, kept);
+        const Ending told = run({"resume", out("a")});
+        EXPECT_EQ(told.code, 0) << told.err;
+        EXPECT_THAT(told.out, HasSubstr("bodies.csv' was missing or cut and is written again"));
+        const std::string mended = text_of(folder / "a" / "bodies.csv");
+        EXPECT_EQ(std::count(mended.begin(), mended.end(), '\n'), std::count(whole.begin(), whole.end(), '\n'));
+        EXPECT_EQ(mended.substr(0, mended.find('\n')), whole.substr(0, whole.find('\n')));
+    }
+    EXPECT_THAT(run({"resume", out("a")}).out, Not(HasSubstr("written again")));
+}
+
 TEST_F(Mishaps, ALatestCheckpointThatCannotBeReadIsPassedOverForThePrevious) {
     const Whole whole = whole_run("1");
     ASSERT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "max_steps=20"}).code, 0);

@@ -35,6 +35,22 @@ TEST_F(Mistakes, UnknownCommandsAndOptionsAreNamedWithTheNearestOnes) {
     EXPECT_THAT(validation.err, HasSubstr("did you mean 'zhao/incline'?"));
 }
 
+// Story: of two values of one key the last one counted, without a word.
+TEST_F(Mistakes, TwoValuesOfOneKeyAreRefused) {
+    for (const char* const command : {"check", "run"}) {
+        const Ending twice = run({command, case_file(), "--set", "end=0.01", "--set", "end=0.02"});
+        EXPECT_EQ(twice.code, 2);
+        EXPECT_THAT(twice.err, HasSubstr("'end=0.01' and 'end=0.02' give one key two values; give it once"));
+    }
+    EXPECT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "end=0.01", "--set", "end_ms=20"}).code, 2);
+    EXPECT_EQ(run({"run", case_file(), "--out", out("a"), "--end", "0.01", "--set", "end=0.02"}).code, 2);
+    EXPECT_EQ(run({"run", case_file(), "--out", out("a"), "--set", "body.block.fixed=true", "--set",
+                   "body.block.fixed=false"})
+                  .code,
+              2);
+    EXPECT_EQ(run({"check", case_file(), "--set", "end=0.01", "--set", "end=0.01", "--set", "seed=2"}).code, 0);
+}
+
 TEST_F(Mistakes, AnOldCaseIsRewrittenOnceAndKeptBesideAsItWas) {
     const std::filesystem::path file = folder.path() / "old" / "case.toml";
     std::filesystem::create_directories(file.parent_path());

@@ -57,6 +57,19 @@ class Cases(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "too deep"):
             riprap.build(endless)
 
+    def test_a_lone_surrogate_is_told_with_its_place(self):
+        half = "rock\udcff"  # as in the names of files that are not UTF-8
+        for wrong, place in (
+            (lambda: riprap.loads(f"title = '{half}'\n"), "the text of the case"),
+            (lambda: riprap.loads("end = 1\n", name=half), "name"),
+            (lambda: riprap.build({"title": half}), "title"),
+            (lambda: riprap.build({half: 1}), "a key of the case"),
+            (lambda: riprap.loads("end = 1\n", overrides={"title": half}), "title"),
+            (lambda: riprap.loads("end = 1\n", overrides=[f"title={half}"]), "an override"),
+        ):
+            with self.assertRaisesRegex(ValueError, f"^{place} holds half of a surrogate pair"):
+                wrong()
+
     def test_overrides_replace_keys(self):
         case = riprap.load("cases/stack", overrides={"end": 0.5, "body.cube.position": [0, 0, 0.75], "title": "Higher"})
         self.assertEqual((case.end, case.title), (0.5, "Higher"))

@@ -17,6 +17,7 @@ using material::Property;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 /// A block of ice slides and spins on a floor of rock; one beside it touches the floor just so and is torn off, and one
 /// is dragged along it.
@@ -282,6 +283,30 @@ TEST(MaterialKeys, of_a_pair_that_the_chosen_law_does_not_read_are_told) {
     EXPECT_THAT(unread(pair + "contact_ratio = 0.1\n", {"solid.spheres=\"balls\""}), IsEmpty());
     EXPECT_THAT(refusal(pair + "contact_ratio = -0.1\n"),
                 HasSubstr("case.toml:46:17: contact_ratio of [[contact.pair]]"));
+}
+
+// Story: with sphere_dem a damping ratio did nothing for a ball on a box, and nothing said so: faces among themselves
+// read it, spheres the restitution.
+TEST(MaterialKeys, AKeyThatNoPairOfTheSceneReadsIsWarnedOf) {
+    const auto warnings_of = [](const std::string& shape, const std::string& more) {
+        return scene::read_case_text(
+                   fmt::format("gravity = [0, 0, -9.81]\nend = 0.1\n[material.rock]\ndensity = 2500.0\n"
+                               "normal_stiffness = 1e7\ndamping_ratio = 0.3\n[solid]\nmethod = 'sphere_dem'\n{}\n"
+                               "[[body]]\nname = 'floor'\nshape = {{ box = [2, 2, 1] }}\nmaterial = 'rock'\n"
+                               "fixed = true\nposition = [0, 0, -0.5]\n[[body]]\nname = 'it'\nshape = {{ {} }}\n"
+                               "material = 'rock'\nposition = [0, 0, 0.5]\n",
+                               more, shape),
+                   "case.toml", ".")
+            .warnings;
+    };
+    for (const char* const shape : {"sphere = 0.1", "cube = 0.2"}) {
+        EXPECT_THAT(warnings_of(shape, ""),
+                    testing::Contains(HasSubstr("case.toml:6:17: 'damping_ratio' of material 'rock' does nothing here: "
+                                                "solid.method \"sphere_dem\" reads it of bodies that meet by their "
+                                                "faces, and these meet by spheres; leave it out, or 'restitution'")));
+    }
+    EXPECT_THAT(warnings_of("cube = 0.2", "spheres = 'balls'"), Not(testing::Contains(HasSubstr("does nothing"))));
+    EXPECT_THAT(warnings_of("sphere = 0.1", "spheres = 'balls'"), testing::Contains(HasSubstr("'damping_ratio'")));
 }
 
 }  // namespace

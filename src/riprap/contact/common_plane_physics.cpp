@@ -8,6 +8,7 @@
 #include "riprap/contact/narrowphase/common_plane_contacts.hpp"
 #include "riprap/contact/narrowphase/plane_section.hpp"
 #include "riprap/contact/respond.hpp"
+#include "riprap/contact/round_push.hpp"
 
 namespace riprap::contact {
 
@@ -69,6 +70,22 @@ SpringArea area_of_section(const PlacedHull& a, const PlacedHull& b, const Commo
     return {now / count, (2 * before + now) / 3 / count};
 }
 
+/// Fills the contact of a pair of which one side is a ball or a disc. @returns false where they do not overlap
+bool find_round(const RoundPush& round, PlaneLaw law, double per_area, double radius, bool is_planar,
+                NormalContact& normal, Vec3& n) {
+    if (law == PlaneLaw::soft) {
+        return round.push(normal, n);
+    }
+    if (!round.overlaps(normal, n)) {
+        return false;
+    }
+    normal.stiffness = (is_planar ? 2 : 1) * per_area * radius * radius;  // a prism has a point at either end
+    normal.force = -normal.stiffness * normal.depth * n;
+    normal.energy = 0.5 * normal.stiffness * normal.depth * normal.depth;
+    normal.potential = normal.depth / radius;
+    return true;
+}
+
 }  // namespace
 
 std::vector<HullTopology> hull_topologies(const geometry::ShapeSet& shapes) {
@@ -84,6 +101,17 @@ std::vector<HullTopology> hull_topologies(const geometry::ShapeSet& shapes) {
 void CommonPlanePhysics::meet(const Candidate& pair, SeparatingCache& cache, FoundContacts& found) const {
     const PairSide &a = pair.a, &b = pair.b;
     if (is_still_apart(a, b, cache)) {
+        return;
+    }
+    const PlacedShape at_a{a.shape, a.frame}, at_b{b.shape, b.frame};
+    const RoundPush round(at_a, a.material.normal_stiffness, at_b, b.material.normal_stiffness);
+    if (round.is_round()) {
+        const double least = std::min(a.shape.inscribed_radius, b.shape.inscribed_radius);
+        const bool is_planar = a.shape.is_planar || b.shape.is_planar;
+        NormalContact normal{};
+        if (Vec3 n; find_round(round, law, stiffness_per_area(a, b), least, is_planar, normal, n)) {
+            respond(pair, normal, n, feature_key(0, 0), friction, found);
+        }
         return;
     }
     thread_local Placed placed_a, placed_b;

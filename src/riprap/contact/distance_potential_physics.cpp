@@ -5,6 +5,7 @@
 #include "riprap/contact/find_contacts.hpp"
 #include "riprap/contact/narrowphase/separation.hpp"
 #include "riprap/contact/respond.hpp"
+#include "riprap/contact/round_push.hpp"
 #include "riprap/contact/sharp_push.hpp"
 
 namespace riprap::contact {
@@ -63,6 +64,13 @@ Vec3 direction(const NormalContact& normal) {
 
 bool find_push(const PressedShape& a, const PressedShape& b, const DistancePotentialOptions& options,
                SeparatingCache& cache, NormalContact& normal) {
+    if (has_feet(options) && options.corners == Corners::stiff) {
+        const RoundPush round(a.placed, a.stiffness, b.placed, b.stiffness);
+        if (round.is_round()) {
+            Vec3 n;
+            return round.push(normal, n);
+        }
+    }
     return has_feet(options) ? find_with_foot(CornerFoot(a.placed, b.placed, stiffness_per_area(a, b), options.corners),
                                               a, b, options, cache, normal)
                              : find_potential(a, b, options, cache, normal);
@@ -81,6 +89,15 @@ void DistancePotentialPhysics::meet(const Candidate& pair, SeparatingCache& cach
     if (!a.placed.is_plane() && !b.placed.is_plane() &&
         is_surely_apart(pair.a.shape, pair.a.frame, pair.b.shape, pair.b.frame, cache)) {
         return;
+    }
+    if (options.corners == Corners::stiff) {
+        const RoundPush round(a.placed, a.stiffness, b.placed, b.stiffness);
+        if (round.is_round()) {
+            if (Vec3 n; round.push(normal, n)) {
+                respond(pair, normal, n, only, friction, found);
+            }
+            return;
+        }
     }
     const CornerFoot foot(a.placed, b.placed, stiffness_per_area(a, b), options.corners);
     if (!find_with_foot(foot, a, b, options, cache, normal)) {

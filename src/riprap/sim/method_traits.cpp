@@ -147,6 +147,16 @@ bool reads_property(const Model& model, material::Property property) {
     });
 }
 
+bool reads_among_bodies(const Model& model, material::Property property) {
+    const solid::SolidScene scene = solid_scene(model);
+    const std::optional<bool> is_read =
+        Solids::visit(model.solid, [&]<class Solid>(const typename Solid::Settings& settings) {
+            return solid::is_read_in_scene(scene, Solid::traits.kinds_of(scene, settings),
+                                           solid::reads_of<Solid>(settings), property);
+        });
+    return is_read.value_or(reads_property(model, property));
+}
+
 std::vector<std::string_view> solid_words() {
     std::vector<std::string_view> words;
     Solids::for_each([&]<class Solid>() { words.push_back(Solid::Settings::method_name); });

@@ -93,6 +93,9 @@ std::vector<material::PropertyUse> property_uses(const Model& model);
 /// Does the solid method, with the settings of the case, read a property?
 bool reads_property(const Model& model, material::Property property);
 
+/// Does a physics of the solid method that bodies of the scene meet by read a property?
+bool reads_among_bodies(const Model& model, material::Property property);
+
 /// Returns the words of the solid methods that can read a property of materials.
 std::vector<std::string_view> solids_that_read(material::Property property);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/solid/pair_physics.hpp"
 
+#include <algorithm>
+
 #include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/material/property_keys.hpp"
@@ -25,19 +27,49 @@ std::vector<material::PropertyUse> joined(std::span<const PhysicsReads> physics)
     return uses;
 }
 
+namespace {
+
+/// Kinds of bodies that are in a scene, and those of which one can move.
+struct KindsThere {
+    std::array<bool, kind_names.size()> is_there{}, can_move{};
+
+    KindsThere(const SolidScene& scene, std::span<const BodyKind> kinds) {
+        for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
+            const auto kind = static_cast<std::size_t>(kinds[at(b)]);
+            is_there[kind] = true;
+            can_move[kind] = can_move[kind] || may_move(scene.bodies, at(b));
+        }
+    }
+    bool meet(const PairOfKinds& kinds) const {
+        const auto a = static_cast<std::size_t>(kinds.a), b = static_cast<std::size_t>(kinds.b);
+        return is_there[a] && is_there[b] && (can_move[a] || can_move[b]);
+    }
+};
+
+}  // namespace
+
+std::optional<bool> is_read_in_scene(const SolidScene& scene, std::span<const BodyKind> kinds,
+                                     std::span<const PhysicsReads> physics, material::Property property) {
+    const KindsThere there(scene, kinds);
+    std::optional<bool> is_read;
+    for (const PhysicsReads& one : physics) {
+        if (there.meet(one.kinds)) {
+            is_read = is_read.value_or(false) || std::ranges::any_of(one.uses, [property](const auto& use) {
+                          return use.property == property && use.acts;
+                      });
+        }
+    }
+    return is_read;
+}
+
 std::vector<LackingProperty> lacking_properties(const SolidScene& scene, std::span<const BodyKind> kinds,
                                                 std::span<const PhysicsReads> physics) {
     constexpr std::size_t count = kind_names.size();
-    std::array<bool, count> is_there{}, can_move{};
-    for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
-        const auto kind = static_cast<std::size_t>(kinds[at(b)]);
-        is_there[kind] = true;
-        can_move[kind] = can_move[kind] || may_move(scene.bodies, at(b));
-    }
+    const KindsThere there(scene, kinds);
     std::array<std::vector<material::PropertyUse>, count> of_kind;
     for (const PhysicsReads& one : physics) {
         const auto a = static_cast<std::size_t>(one.kinds.a), b = static_cast<std::size_t>(one.kinds.b);
-        if (is_there[a] && is_there[b] && (can_move[a] || can_move[b])) {
+        if (there.meet(one.kinds)) {
             of_kind[a].insert(of_kind[a].end(), one.uses.begin(), one.uses.end());
             of_kind[b].insert(of_kind[b].end(), one.uses.begin(), one.uses.end());
         }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -102,6 +103,11 @@ struct LackingProperty {
 };
 std::vector<LackingProperty> lacking_properties(const SolidScene& scene, std::span<const BodyKind> kinds,
                                                 std::span<const PhysicsReads> physics);
+
+/// Does a physics of the scene read a property? One whose kinds of bodies are there, one of them able to move.
+/// @returns nothing where no physics is asked for
+std::optional<bool> is_read_in_scene(const SolidScene& scene, std::span<const BodyKind> kinds,
+                                     std::span<const PhysicsReads> physics, material::Property property);
 
 /// Returns the kind of every body: spheres where the case lists them, else faces.
 std::vector<BodyKind> kinds_by_lists(const SolidScene& scene);

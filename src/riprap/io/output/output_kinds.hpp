@@ -82,6 +82,10 @@ std::vector<std::filesystem::path> set_older_tables_aside(const OutputChoices& o
 /// ledger.csv.
 std::vector<sim::Column> scene_columns(const sim::Model& model);
 
+/// Writes bodies.csv of a run that is at its end again where it is missing, empty or cut; forces of contacts, which no
+/// checkpoint keeps, stay empty then. @returns its path where it was written
+std::filesystem::path mend_bodies(const std::filesystem::path& folder, const sim::Moment& moment);
+
 /// Names of all files, and the number of tables that grow.
 std::vector<std::string_view> output_files();
 std::size_t output_table_count();

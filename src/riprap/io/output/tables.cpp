@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
 #include "riprap/io/csv.hpp"
 #include "riprap/io/file_descriptor.hpp"
 #include "riprap/io/scene_frame.hpp"
@@ -96,6 +100,12 @@ class LastBodies : public Output {
     std::filesystem::path path_;
 };
 
+/// Number of whole lines of a file; 0 where it cannot be read.
+std::int64_t count_lines(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n');
+}
+
 }  // namespace
 
 std::unique_ptr<Output> ProbeTable::open(const OutputRun& run) const {
@@ -111,6 +121,15 @@ std::unique_ptr<Output> LedgerTable::open(const OutputRun& run) const {
 std::vector<sim::Column> LedgerTable::columns(const sim::Model& model) { return scene_columns(model); }
 
 std::unique_ptr<Output> BodyTable::open(const OutputRun& run) const { return std::make_unique<LastBodies>(run); }
+
+std::filesystem::path mend_bodies(const std::filesystem::path& folder, const sim::Moment& moment) {
+    const std::filesystem::path path = folder / BodyTable::files.front();
+    if (count_lines(path) == moment.model.bodies.size() + 1) {
+        return {};
+    }
+    write_bodies_csv(path, moment.model, moment.initial, moment.state, {});
+    return path;
+}
 
 void require_tables(const OutputChoices& outputs, const std::filesystem::path& folder, const sim::Model& model,
                     std::span<const std::uint64_t> lengths) {

@@ -183,6 +183,10 @@ int Driver::run(const Watch& watch) {
                         most >= 0 && state().step >= most
                             ? fmt::format("max_steps = {} holds it there, --max-steps -1 lifts it", most)
                             : "--end takes it further"));
+        if (const std::filesystem::path mended = io::mend_bodies(folder_.root, simulation_.now()); !mended.empty()) {
+            say(fmt::format("'{}' was missing or cut and is written again, without the forces of contacts",
+                            mended.string()));
+        }
         return verdict(simulation_.judge());
     }
     const StopRequest stop;

@@ -34,6 +34,14 @@ void read_properties(const Value& table, const std::vector<material::PropertyKey
     }
 }
 
+/// Does anything read a property? Of the dashpots of faces, which spheres have as restitution instead, that depends on
+/// what the bodies meet by; stiffnesses of both stand side by side in cases for several methods.
+bool is_read(const CaseBuild& build, Property property) {
+    const bool is_of_faces_alone = property == Property::damping_ratio && build.has_all_bodies;
+    return sim::reads_property(build.model, property) &&
+           (!is_of_faces_alone || sim::reads_among_bodies(build.model, property));
+}
+
 /// Places of keys with a value that the solid method does not read.
 struct Unread {
     SourcePlace place;  ///< of the first
@@ -48,7 +56,7 @@ void find_unread(const CaseBuild& build, const Value& table, const std::vector<m
     const To defaults{};
     for (const material::PropertyKey<To>& key : keys) {
         const Value* given = table.find(key.key.row.name);
-        if (given == nullptr || sim::reads_property(build.model, key.property) ||
+        if (given == nullptr || is_read(build, key.property) ||
             key_value(*given, key.key.row.kind) == key.key.get(defaults)) {
             continue;
         }
@@ -79,12 +87,22 @@ void warn_of_unread(CaseBuild& build, std::string_view key, material::Property p
         is_read = is_read || quoted(word) == method;
         readers += fmt::format("{}{}", readers.empty() ? "" : ", ", quoted(word));
     }
+    const bool is_of_kinds = sim::reads_property(build.model, property);
     const SourcePlace& chosen = get(get(build.root, "solid"), "method").place;
-    if (chosen.line == 0 && !chosen.file.empty() && !is_read && !readers.empty()) {
+    if (chosen.line == 0 && !chosen.file.empty() && (!is_read || is_of_kinds) && !readers.empty()) {
         return;  // the method was chosen over that of the file, which stands there for several
     }
     const std::string others =
         unread.count > 1 ? fmt::format(" and {} other{}", unread.count - 1, unread.count > 2 ? "s" : "") : "";
+    if (is_of_kinds) {
+        build.warnings.push_back(to_string(Diagnostic{
+            unread.place,
+            fmt::format("'{}' of {}{} does nothing here: solid.method {} reads it of bodies that meet by their faces, "
+                        "and these meet by spheres",
+                        key, unread.where, others, method),
+            "leave it out, or 'restitution', which spheres read"}));
+        return;
+    }
     build.warnings.push_back(to_string(
         Diagnostic{unread.place,
                    fmt::format("'{}' of {}{} does nothing here: solid.method {} does not read it{}", key, unread.where,

@@ -49,6 +49,13 @@ class RowsOfPairs {
     std::size_t row_;
 };
 
+/// Radius of the ball, or of the disc of a planar scene, that a block stands for, 0 = neither; and half of the disc's
+/// thickness, 0 = a ball [m].
+Disc round_shape(const BlockSystem& system, std::int32_t block) {
+    const Shape& shape = system.shape_of(block);
+    return system.is_planar ? disc_of(shape) : Disc{ball_radius(shape), 0};
+}
+
 /// Appends the contact points of one pair with ground.
 void find_in_ground_pair(const BlockSystem& system, const BlockState& state, const PlacedBlocks& placed,
                          const contact::PartPair& pair, const BlockContactHistory& history, RowsOfPairs& rows,
@@ -57,17 +64,13 @@ void find_in_ground_pair(const BlockSystem& system, const BlockState& state, con
     const std::int32_t ground = is_first ? pair.a : pair.b, block = is_first ? pair.b : pair.a;
     const Surface& surface = system.surface_of(pair.a, pair.b);
     const auto [begin, end] = rows.of(pair);
+    const contact::PlacedHull hull = placed.hull(system, state, block);
+    const Disc round = round_shape(system, block);
     find_on_ground(
-        {system.shape_of(ground).ground.get(), state.position[at(ground)], rows_at(state.deformation, at(ground)),
-         placed.hull(system, state, block), pair, is_first, surface.is_per_area || surface.has_bond()},
+        {system.shape_of(ground).ground.get(), state.position[at(ground)], rows_at(state.deformation, at(ground)), hull,
+         pair, is_first, surface.is_per_area || surface.has_bond(),
+         RoundSide{hull, rows_at(state.deformation, at(block)), round.radius}, round.half},
         history, begin, end, reach, near, found);
-}
-
-/// Radius of the ball, or of the disc of a planar scene, that a block stands for, 0 = neither; and half of the disc's
-/// thickness, 0 = a ball [m].
-Disc round_shape(const BlockSystem& system, std::int32_t block) {
-    const Shape& shape = system.shape_of(block);
-    return system.is_planar ? disc_of(shape) : Disc{ball_radius(shape), 0};
 }
 
 /// Appends the contact points of one pair where a block of it is a ball (one) or a disc (two). @returns whether one is

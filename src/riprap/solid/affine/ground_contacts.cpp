@@ -70,7 +70,9 @@ void find_on_ground(const OnGround& scene, const BlockContactHistory& history, s
     look_around(*scene.ground, centre, radius_of(scene.block) + reach, near);
     if (!near.triangles.empty()) {
         const LocalBlock block(scene, centre);
-        GroundMeeting(scene, block, reach, near).find(history, begin, end, found);
+        GroundMeeting meeting(scene, block, reach, near);
+        scene.round.ball_radius > 0 ? meeting.find_round(history, begin, end, found)
+                                    : meeting.find(history, begin, end, found);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "riprap/solid/affine/block_contacts.hpp"
+#include "riprap/solid/affine/round_blocks.hpp"
 
 // Contact points of a block with ground: a surface of triangles, fixed or driven (body/ground.hpp).
 //
@@ -12,7 +13,8 @@
 // a block slides over triangles as over a half-space. A corner meets the triangle in whose cell it lies
 // (geometry::SurfaceFeatures); where the corner comes to the next cell, the depth has no jump and the spring is kept. A
 // point or an edge is met where its direction lies between the directions of the faces around it, to
-// `geometry::steep_turn`.
+// `geometry::steep_turn`. Balls and discs of planar scenes meet the places of the surface that are nearest to their
+// centres among those around (ground_round.cpp).
 
 namespace riprap::solid::affine {
 
@@ -27,6 +29,8 @@ struct OnGround {
     contact::PartPair pair;     ///< numbers of both bodies
     bool is_ground_first;       ///< the ground is pair.a
     bool needs_areas;           ///< a bond has cohesion or tensile strength per area
+    RoundSide round{};          ///< the block where it is a ball or a disc
+    double half{0};             ///< of the thickness of a disc; 0 = none [m]
 };
 
 /// Appends the contact points with a gap up to `reach`, sorted by feature, with their rows of the history. Rows begin

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "riprap/core/index.hpp"
+#include "riprap/geometry/surface/triangle.hpp"
 #include "riprap/solid/affine/ground.hpp"
 #include "riprap/solid/affine/ground_contacts.hpp"
 
@@ -88,8 +89,20 @@ class GroundMeeting {
 
     /// Appends the contact points, sorted by feature; rows begin to end of the history belong to the pair.
     void find(const BlockContactHistory& history, std::size_t begin, std::size_t end, std::vector<BlockContact>& found);
+    /// The same of a ball or a disc: one contact (a disc: two) at each place of the surface that is nearest to its
+    /// centre among those around it.
+    void find_round(const BlockContactHistory& history, std::size_t begin, std::size_t end,
+                    std::vector<BlockContact>& found);
 
  private:
+    /// Place of a triangle that is nearest to the centre of the block.
+    struct NearestOn {
+        geometry::TrianglePoint on;
+        double distance;  ///< [m]
+    };
+    NearestOn nearest_on(std::int32_t triangle) const;
+    bool goes_on_nearer(std::int32_t triangle, const NearestOn& here) const;
+
     /// A triangle as a plane under the whole block.
     struct Floor {
         Vec3 normal;

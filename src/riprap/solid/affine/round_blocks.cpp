@@ -76,13 +76,12 @@ Nearest nearest_on_hull(const PlacedHull& hull, const Vec3& x) {
     return nearest;
 }
 
-/// Way from the centre of a ball to the point of it that lies farthest along n.
+}  // namespace
+
 Vec3 farthest_along(const RoundSide& ball, const Vec3& n) {
     const Vec3 back = transpose_times(ball.deformation, n);
     return (ball.ball_radius / norm(back)) * (ball.deformation * back);
 }
-
-}  // namespace
 
 double ball_radius(const Shape& shape) {
     if (shape.vertices.size() != corners_of_a_ball) {

@@ -30,6 +30,9 @@ struct RoundSide {
     double ball_radius{0};  ///< of a ball or a disc; 0 = neither [m]
 };
 
+/// Way from the centre of a ball or a disc to its point that lies farthest along n [m].
+Vec3 farthest_along(const RoundSide& ball, const Vec3& n);
+
 /// Finds the contact point of a pair of which at least one side is a ball, or a disc: the point of the ellipsoid
 /// x_c + F X, |X| = r, that lies farthest towards the nearest point of the other body.
 /// @returns nothing where they are farther apart than `reach` [m]

@@ -177,6 +177,10 @@ SphereSet sample_bodies(const SolidScene& scene, const SphereDemSettings& settin
             continue;
         }
         if (!may_move(bodies, at(b))) {
+            if (is_round(bodies, shapes, at(b))) {
+                spheres.add(BodyId{b}, radius_of_volume(bodies, shapes, at(b)));
+                continue;
+            }
             if (is_any_sampled && !body::is_ground(bodies, shapes, BodyId{b})) {
                 add_edges(scene, b, radius, spheres);
                 is_sampled[at(b)] = 1;
