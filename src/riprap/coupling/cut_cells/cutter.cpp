@@ -18,6 +18,21 @@ using fluid::grid::Mesh;
 using geometry::Polyhedron;
 /// Cells around a body in which faces know their distance from it.
 constexpr int margin = 2;
+/// A face of a piece lies on a side of its cell where it is nearer to it than this share of the cell [-].
+constexpr double on_side_tolerance = 1e-9;
+
+/// A piece that is so flat has both of its faces on one side of the cell, where they are told apart no more: a body
+/// that has moved by rounding beyond cells that it fills would seem to end behind itself.
+bool is_flat(const Polyhedron& piece, const Vec3& size, int axes) {
+    for (int a = 0; a < axes; ++a) {
+        const auto [low, high] = std::minmax_element(piece.vertices.begin(), piece.vertices.end(),
+                                                     [a](const Vec3& x, const Vec3& y) { return x[a] < y[a]; });
+        if ((*high)[a] - (*low)[a] < 2 * on_side_tolerance * size[a]) {
+            return true;
+        }
+    }
+    return false;
+}
 
 }  // namespace
 
@@ -110,6 +125,9 @@ void Cutter::cut_cell(const PartPlanes& part, std::int32_t number, const std::ar
             return;
         }
     }
+    if (is_flat(piece, size, mesh_->box.axes)) {
+        return;
+    }
     touched = touched == -1 || touched == number ? number : -2;
     parts_.push_back({cell, place, number, static_cast<std::uint32_t>(part_planes_.size()),
                       static_cast<std::uint32_t>(across_.size())});
@@ -139,7 +157,7 @@ void Cutter::add_face(const Polyhedron& piece, const std::vector<std::int32_t>& 
     };
     for (int a = 0; a < 3; ++a) {
         const double away = (mean[a] - centre[a]) / mesh_->h(a, place[at(a)]);
-        if (std::abs(std::abs(away) - 0.5) >= 1e-9 || std::abs(area[a]) <= (1 - 1e-9) * norm(area)) {
+        if (std::abs(std::abs(away) - 0.5) >= on_side_tolerance || std::abs(area[a]) <= (1 - 1e-9) * norm(area)) {
             continue;
         }
         if (a < box.axes) {  // on a side of the cell
