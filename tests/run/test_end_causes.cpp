@@ -134,7 +134,7 @@ std::vector<Ending> endings() {
              falling_cube(
                  "position = [0, 0, 2.5]\norientation = { axis_angle = { axis = [1, 0, 0], angle = 0.785398 } }"),
          "normal_stiffness = "},
-        {"squeezed", "a disc in a slot", plane + "end = 0.1\n" + rock("1e6") + slot("fixed = true") + disc(3),
+        {"squeezed", "a disc in a slot", plane + "end = 0.1\n" + rock("1e6") + slot("fixed = true") + disc(6),
          "normal_stiffness = "},
         {"squeezed", "a disc in a slot, by implicit DDA",
          plane + "end = 0.1\n" + solids("implicit_dda", "contact_stiffness = 1e5") + rock("1e6") +
