@@ -247,16 +247,17 @@ ShapeKind icosahedron_shape() {
 }
 
 ShapeKind sphere_shape() {
-    return {
-        optional_key(
-            "sphere", {length},
-            "Radius of a ball, in a planar scene of a disc. solid.method \"sphere_dem\" takes it as one sphere; other "
-            "methods, and what is shown, as a polyhedron of 320 triangles (a prism of 64 sides) with its volume."),
-        [](ShapeLibrary&, const Entry& given) { return one(geometry::sphere(given.value.as_number())); },
-        [](ShapeLibrary& library, const Entry& given) {
-            const double radius = given.value.as_number();
-            return library.accept(round_prism(radius, radius), given.place);
-        }};
+    return {optional_key(
+                "sphere", {length},
+                "Radius of a ball, in a planar scene of a disc. Others meet it as a ball or a disc; by solid.method "
+                "\"planar_dda\", and on ground by \"distance_potential_dem\", as a polyhedron of 320 triangles (a "
+                "prism of 64 "
+                "sides) with its volume, which is what is shown."),
+            [](ShapeLibrary&, const Entry& given) { return one(geometry::sphere(given.value.as_number())); },
+            [](ShapeLibrary& library, const Entry& given) {
+                const double radius = given.value.as_number();
+                return library.accept(round_prism(radius, radius), given.place);
+            }};
 }
 
 ShapeKind ellipsoid_shape() {
