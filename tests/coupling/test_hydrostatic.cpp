@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "coupling/tank_scenes.hpp"
+#include "riprap/coupling/hydrostatic/basins.hpp"
+#include "riprap/geometry/polyhedra/clip.hpp"
 #include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::coupling {
@@ -162,6 +164,42 @@ TEST(Hydrostatic, a_floor_that_reaches_beyond_the_water_carries_its_weight_once)
 }
 
 // Story: faces beyond a periodic side were dry, and a float was blown away.
+/// Water 2 m deep with a leaning side through the line x = z = 0; its box reaches farther.
+HydrostaticSettings::Basin leaning_basin(const Vec3& outward) {
+    const geometry::Polyhedron box = geometry::moved(geometry::box({10, 10, 2}), Pose{{0, 0, -1}, Quat{}});
+    FillRegion region;
+    region.pieces.push_back(geometry::clip_convex(box, {outward, 0}));
+    region.level = 0;
+    HydrostaticSettings::Basin basin =
+        basin_of(region, fluid::Domain{.low = {-5, -5, -5}, .high = {5, 5, 5}, .dimension = 3}, {0, 0, 1});
+    basin.level = 0;
+    return basin;
+}
+
+// Story: a block behind a leaning wall floated in the box about the water before it, and the wall, pressed from both of
+// its sides, had 876 N/m of 2403.
+TEST(Hydrostatic, a_region_with_a_leaning_side_ends_there_and_not_at_its_box) {
+    for (const double angle : {-0.8, -0.3, 0.3, 0.8}) {
+        const Vec3 outward{std::cos(angle), 0, std::sin(angle)}, along{-std::sin(angle), 0, std::cos(angle)};
+        for (const body::Drive drive : {body::Drive::free, body::Drive::fixed}) {
+            StillWater water;
+            water.settings.basins = {leaning_basin(outward)};
+            water.scene.add(geometry::box({0.2, 0.2, 0.2}), {-0.6 * outward - 1.0 * along, {}}, drive);
+            water.scene.add(geometry::box({0.2, 0.2, 0.2}), {0.6 * outward - 1.0 * along, {}}, drive);
+            const FluidLoads loads = water.loads();
+            EXPECT_NEAR(loads.pressure.force[0].z, rho * g * 0.008, 1e-9) << angle;
+            EXPECT_NEAR(norm(loads.pressure.force[1]), 0, 1e-9) << angle;
+        }
+        StillWater water;
+        water.settings.basins = {leaning_basin(outward)};
+        water.scene.add(geometry::box({0.4, 1, 12}), {0.2 * outward, from_rotation_vector({0, -angle, 0})},
+                        body::Drive::fixed);
+        const Vec3 force = water.loads().pressure.force[0];
+        EXPECT_NEAR(force.x / (rho * g * 2), 1, 0.01) << angle;
+        EXPECT_NEAR(force.z / (rho * g * 2), std::tan(angle), 0.01) << angle;
+    }
+}
+
 TEST(Hydrostatic, a_float_across_a_periodic_side_is_carried_as_one_in_the_middle) {
     for (const body::Drive drive : {body::Drive::free, body::Drive::fixed}) {
         for (const double x : {0.0, 2.0, 4.0, 9.0}) {

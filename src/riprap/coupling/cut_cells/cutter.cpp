@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "riprap/coupling/cut_cells/cell_sides.hpp"
+#include "riprap/coupling/cut_cells/joint_ways.hpp"
 #include "riprap/geometry/polyhedra/clip.hpp"
 #include "riprap/geometry/polyhedra/shapes.hpp"
 
@@ -229,7 +230,7 @@ CutBodies Cutter::finish(const std::vector<GridBody>& bodies) && {
     close_joints();
     show_sides();
     find_displacement(out_.facets, bodies, out_.open);
-    find_joints();
+    find_joint_ways(*mesh_, {below_, above_}, out_);
     list_near_faces();
     return std::move(out_);
 }

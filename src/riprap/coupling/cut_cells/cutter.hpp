@@ -64,7 +64,6 @@ class Cutter {
     void sort_facets();
     bool is_joint(std::int64_t cell) const;
     bool is_narrow(int a, std::int64_t cell) const;
-    void find_joints();
     void drop_covered_facets();
     bool fills(std::int32_t body, std::int64_t cell) const;
     bool holds(std::int32_t body, const Vec3& x) const;

@@ -10,7 +10,6 @@ namespace riprap::coupling {
 namespace {
 
 using fluid::grid::at;
-using fluid::grid::CellBox;
 
 }  // namespace
 
@@ -70,69 +69,6 @@ void Cutter::close_joints() {
         out_.open.volume[at(cell)] = 0;
         for (int a = 0; a < mesh_->box.axes; ++a) {
             out_.open.area[at(a)][at(cell)] = out_.open.area[at(a)][at(cell + mesh_->box.stride[at(a)])] = 0;
-        }
-    }
-}
-
-/// Finds the water for closed cells with facets: from the nearest open cells, through closed cells beside them.
-void Cutter::find_joints() {
-    const CellBox& box = mesh_->box;
-    const auto for_neighbours = [&](std::int64_t cell, const auto& f) {
-        for (int a = 0; a < box.axes; ++a) {
-            f(cell - box.stride[at(a)]);
-            f(cell + box.stride[at(a)]);
-        }
-    };
-    std::vector<std::int64_t> cells;
-    for (const CutFacet& facet : out_.facets) {
-        if (out_.open.volume[at(facet.cell)] == 0) {
-            cells.push_back(facet.cell);
-            for_neighbours(facet.cell, [&](std::int64_t beside) {
-                if (out_.open.volume[at(beside)] == 0) {
-                    cells.push_back(beside);
-                }
-            });
-        }
-    }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    constexpr std::int32_t unknown = -1;
-    std::vector<std::int32_t> number(cells.size(), unknown);
-    const auto place_of = [&](std::int64_t cell) {
-        const auto found = std::lower_bound(cells.begin(), cells.end(), cell);
-        return found != cells.end() && *found == cell ? found - cells.begin() : std::ptrdiff_t{-1};
-    };
-    for (bool is_first = true;; is_first = false) {
-        const std::size_t before = out_.joints.size();
-        std::vector<std::size_t> reached;
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            if (number[i] != unknown) {
-                continue;
-            }
-            JointCell joint{cells[i], {}};
-            for_neighbours(cells[i], [&](std::int64_t beside) {
-                const std::ptrdiff_t known = place_of(beside);
-                if (is_first && out_.open.volume[at(beside)] > 0 && box.has_cell(beside)) {
-                    joint.sources.push_back(beside);
-                } else if (!is_first && known >= 0 && number[at(known)] != unknown) {
-                    joint.sources.push_back(-1 - number[at(known)]);
-                }
-            });
-            if (!joint.sources.empty()) {
-                out_.joints.push_back(std::move(joint));
-                reached.push_back(i);
-            }
-        }
-        for (std::size_t k = 0; k < reached.size(); ++k) {
-            number[reached[k]] = static_cast<std::int32_t>(before + k);
-        }
-        if (reached.empty()) {
-            break;
-        }
-    }
-    for (CutFacet& facet : out_.facets) {
-        if (out_.open.volume[at(facet.cell)] == 0) {
-            facet.joint = number[at(place_of(facet.cell))];
         }
     }
 }

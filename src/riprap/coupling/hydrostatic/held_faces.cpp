@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/coupling/hydrostatic/held_faces.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "riprap/core/index.hpp"
+#include "riprap/coupling/hydrostatic/basins.hpp"
 
 namespace riprap::coupling {
 
@@ -44,30 +44,6 @@ Polygon out_of_half_spaces(const FluidScene& scene, const HydrostaticSettings& s
     return polygon;
 }
 
-/// A plane with the water behind it.
-struct BasinSide {
-    Vec3 normal;
-    double offset;
-};
-
-/// Returns the sides and the bed of a basin; the level is its top. Water along an axis without end has no sides there.
-std::vector<BasinSide> sides_of(const HydrostaticSettings& settings, const HydrostaticSettings::Basin& basin,
-                                double slack) {
-    std::vector<BasinSide> sides;
-    for (int axis = 0; axis < (settings.is_planar ? 2 : 3); ++axis) {
-        for (const double sign : {1.0, -1.0}) {
-            const double bound = sign > 0 ? basin.high[axis] : -basin.low[axis];
-            if (sign * settings.up[axis] > 0.5 || !std::isfinite(bound)) {
-                continue;
-            }
-            BasinSide side{{}, bound + slack};
-            side.normal[axis] = sign;
-            sides.push_back(side);
-        }
-    }
-    return sides;
-}
-
 }  // namespace
 
 std::vector<WetPiece> wet_pieces(const FluidScene& scene, const HydrostaticSettings& settings,
@@ -78,19 +54,21 @@ std::vector<WetPiece> wet_pieces(const FluidScene& scene, const HydrostaticSetti
         left.push_back(std::move(out));
     }
     for (const HydrostaticSettings::Basin& basin : settings.basins) {
-        std::vector<Polygon> beyond;
-        for (Polygon& piece : left) {
-            for (const BasinSide& side : sides_of(settings, basin, slack)) {
-                if (Polygon outside = behind(piece, -1.0 * side.normal, -side.offset); !outside.empty()) {
-                    beyond.push_back(std::move(outside));
+        for (const std::vector<HydrostaticSettings::Side>& sides : sides_of(settings, basin, slack)) {
+            std::vector<Polygon> beyond;
+            for (Polygon& piece : left) {
+                for (const HydrostaticSettings::Side& side : sides) {
+                    if (Polygon outside = behind(piece, -1.0 * side.normal, -side.offset); !outside.empty()) {
+                        beyond.push_back(std::move(outside));
+                    }
+                    piece = behind(piece, side.normal, side.offset);
                 }
-                piece = behind(piece, side.normal, side.offset);
+                if (!piece.empty()) {
+                    found.push_back({std::move(piece), &basin});
+                }
             }
-            if (!piece.empty()) {
-                found.push_back({std::move(piece), &basin});
-            }
+            left = std::move(beyond);
         }
-        left = std::move(beyond);
     }
     return found;
 }

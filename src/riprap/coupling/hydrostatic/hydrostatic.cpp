@@ -4,31 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "riprap/body/may_move.hpp"
 #include "riprap/core/index.hpp"
 #include "riprap/core/parallel.hpp"
+#include "riprap/coupling/hydrostatic/basins.hpp"
 #include "riprap/coupling/hydrostatic/held_faces.hpp"
 #include "riprap/coupling/hydrostatic/joint_cover.hpp"
 #include "riprap/coupling/hydrostatic/pressure_on_polygon.hpp"
 
 namespace riprap::coupling {
-
-namespace {
-
-/// Water that reaches from one periodic side to the other has no end along that axis.
-void reach_over_periods(const fluid::Domain& domain, HydrostaticSettings::Basin& basin) {
-    for (int axis = 0; axis < domain.dimension; ++axis) {
-        const double round_off = 1e-9 * (domain.high[axis] - domain.low[axis]);
-        if (domain.is_periodic[at(axis)] && basin.low[axis] <= domain.low[axis] + round_off &&
-            basin.high[axis] >= domain.high[axis] - round_off) {
-            basin.low[axis] = -std::numeric_limits<double>::infinity();
-            basin.high[axis] = std::numeric_limits<double>::infinity();
-        }
-    }
-}
-
-}  // namespace
 
 std::vector<KeyProblem> HydrostaticSettings::prepare(const FieldScene& scene) {
     up = scene.up;
@@ -36,21 +22,9 @@ std::vector<KeyProblem> HydrostaticSettings::prepare(const FieldScene& scene) {
     is_dry = scene.is_dry;
     is_planar = scene.domain.dimension == 2;
     for (const FillRegion& region : scene.regions) {
-        Basin basin{scene.domain.low, scene.domain.high, region.level};
-        if (!region.pieces.empty()) {
-            constexpr double infinity = std::numeric_limits<double>::infinity();
-            basin.low = {infinity, infinity, infinity};
-            basin.high = {-infinity, -infinity, -infinity};
-            for (const geometry::Polyhedron& piece : region.pieces) {
-                for (const Vec3& x : piece.vertices) {
-                    basin.low = min(basin.low, x);
-                    basin.high = max(basin.high, x);
-                }
-            }
-        }
+        Basin basin = basin_of(region, scene.domain, scene.up);
         basin.level = std::min(basin.level, top_of(region, scene.domain, scene.up));
-        reach_over_periods(scene.domain, basin);
-        basins.push_back(basin);
+        basins.push_back(std::move(basin));
     }
     return {};
 }
@@ -70,28 +44,6 @@ double HydrostaticSettings::level_at(const Basin& basin, double time) const {
 }
 
 namespace {
-
-/// Returns the distance of x from a basin, sideways [m]; 0 inside.
-double distance_from(const HydrostaticSettings::Basin& basin, const HydrostaticSettings& settings, const Vec3& x) {
-    Vec3 out{};
-    for (int axis = 0; axis < (settings.is_planar ? 2 : 3); ++axis) {
-        out[axis] = std::max({0.0, basin.low[axis] - x[axis], x[axis] - basin.high[axis]});
-    }
-    return norm(out - dot(out, settings.up) * settings.up);
-}
-
-/// Returns the basin that reaches x, or the nearest one; nullptr without basins.
-const HydrostaticSettings::Basin* nearest_basin(const HydrostaticSettings& settings, const Vec3& x) {
-    const HydrostaticSettings::Basin* nearest = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    for (const HydrostaticSettings::Basin& basin : settings.basins) {
-        if (const double distance = distance_from(basin, settings, x); distance < least) {
-            least = distance;
-            nearest = &basin;
-        }
-    }
-    return nearest;
-}
 
 Vec3 middle_of(const std::vector<Vec3>& corners) {
     Vec3 sum{};

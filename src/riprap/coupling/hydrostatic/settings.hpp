@@ -38,10 +38,17 @@ struct HydrostaticSettings {
     double rest_density{1000};  ///< rho [kg/m^3]
     Uplift uplift{Uplift::full};
 
+    /// A plane with the water behind it: normal . x <= offset.
+    struct Side {
+        Vec3 normal;    ///< [-]
+        double offset;  ///< [m]
+    };
     /// Extent of the water: a region gives its sides and, where no levels are given, its level.
     struct Basin {
         Vec3 low{}, high{};  ///< corners of its box [m]
         double level{0};     ///< along `up` [m]
+        /// Of each convex part, sides and bed, without the top; empty for a box along the axes.
+        std::vector<std::vector<Side>> parts{};
     };
     std::vector<Basin> basins;
     std::vector<LevelAt> levels;       ///< of all basins; empty: each keeps its own
