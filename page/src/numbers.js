@@ -18,7 +18,7 @@ export function short(value) {
 /** A mark of an axis, with the digits that tell it from its neighbours. */
 export function tickText(value, step) {
   const largest = Math.max(Math.abs(value), step);
-  return reading(Math.abs(value) < 1e-9 * step ? 0 : value, Math.max(1, Math.ceil(Math.log10(largest / step) + 1e-9) + 1));
+  return reading(Math.abs(value) < 1e-9 * step ? 0 : value, Math.min(Math.max(1, Math.ceil(Math.log10(largest / step) + 1e-9) + 1), 17));
 }
 
 /** The same with a power of ten from a million on and below a thousandth: short enough to stand beside an axis. */
