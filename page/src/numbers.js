@@ -24,7 +24,7 @@ export function tickText(value, step) {
 /** The same with a power of ten from a million on and below a thousandth: short enough to stand beside an axis. */
 export function axisText(value, step) {
   const largest = Math.max(Math.abs(value), step);
-  if (value === 0 || Math.abs(value) < 1e-9 * step || (largest < 1e6 && step >= 1e-4)) {
+  if (value === 0 || Math.abs(value) < 1e-9 * step || (largest < 1e6 && (step >= 1e-4 || largest >= 0.1))) {
     return tickText(value, step);
   }
   const power = Math.floor(Math.log10(Math.abs(value)));

@@ -3,6 +3,7 @@
 
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
+import {axisText} from '../src/numbers.js';
 import * as data from '../src/study_data.js';
 
 const run = (set, more = {}) => ({name: 'run', set, status: 'finished', answers: [], columns: {}, ...more});
@@ -66,4 +67,8 @@ test('answers are compared where the case expects any, else one figure of each c
   assert.equal(data.measuresOf([run({}, {answers: [answer(1, 1)]}), run({}, {answers: [answer(1, 0)]})], 'last')[0].expected, undefined);
   const columns = {'b.x': {unit: 'm', last: 1, min: 0, max: 3}, 'b.y': {unit: 'm', last: 1e-16, min: 0, max: 1e-15}};
   assert.deepEqual(data.measuresOf([run({}, {columns})], 'max').map(measure => measure.name), ['b.x largest']);
+});
+
+test('marks of an axis have a power of ten only where that is shorter', () => {
+  assert.deepEqual([[0.40005, 5e-5], [2e-5, 1e-5], [3e7, 1e7], [0, 1]].map(([value, step]) => axisText(value, step)), ['0.40005', '2e-5', '3e7', '0']);
 });
