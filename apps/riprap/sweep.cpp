@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "command_line_parts.hpp"
@@ -108,6 +109,11 @@ int sweep(const SweepWords& words) {
         }
         if (!words.slurm.submit.empty()) {
             return submit_study(words, options);
+        }
+        const bool is_done = std::all_of(options.points.begin(), options.points.end(),
+                                         [&](const auto& point) { return run::is_finished(options, point); });
+        if (!words.is_quiet && !is_done) {
+            tell_cost_of(options, options.jobs > 0 ? options.jobs : run::usual_jobs(options.threads));
         }
         code = run::run_sweep(options);
         out = options.out;

@@ -9,10 +9,11 @@ function bar(label, map, low, high) {
       `<span>${low}</span><span>${high}</span></figure>`;
 }
 
-function namesFigure(names) {
+/** Names of colours below a heading. */
+function namesFigure(heading, names) {
   const figure = document.createElement('figure');
   figure.className = 'names';
-  figure.innerHTML = '<figcaption>blocks</figcaption>';
+  figure.innerHTML = `<figcaption>${heading}</figcaption>`;
   for (const [name, colour] of names) {
     const entry = document.createElement('span');
     entry.innerHTML = `<i style="background:${css(colour)}"></i>`;
@@ -22,8 +23,12 @@ function namesFigure(names) {
   return figure;
 }
 
-export function showLegends(parent, {particles, blocks, forces, isPlanar}) {
+export function showLegends(parent, {particles, surface, stillWater, blocks, forces, isPlanar}) {
   parent.replaceChildren();
+  const water = surface?.isOn ? surface.colour : stillWater ? stillWater.colour : undefined;
+  if (water !== undefined) {
+    parent.append(namesFigure('water', [[surface?.isOn ? 'surface' : 'still water', water]]));
+  }
   if (particles?.points.visible) {
     const {label, unit, low, high} = particles.range();
     parent.insertAdjacentHTML('beforeend', bar(`${label} [${unit}]`, MAPS.viridis, short(low), short(high)));
@@ -32,7 +37,7 @@ export function showLegends(parent, {particles, blocks, forces, isPlanar}) {
   if (range) {
     parent.insertAdjacentHTML('beforeend', bar(`${range.label} [${range.unit}]`, MAPS.cividis, short(range.low ?? 0), short(range.high)));
   } else if (blocks) {
-    parent.append(namesFigure(blocks.names()));
+    parent.append(namesFigure('blocks', blocks.names()));
   }
   if (blocks?.stresses.group.visible) {
     parent.insertAdjacentHTML('beforeend', '<figure><figcaption>principal stresses [Pa]</figcaption>' +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens the page: one run, or several side by side.
+// Opens the page: one run, several side by side, or a study.
 
 import './style.css';
 import {compareRuns} from './compare.js';
@@ -7,6 +7,7 @@ import {giveUp, note} from './marks.js';
 import {Page} from './page.js';
 import {readContents} from './recording.js';
 import {remote} from './remote.js';
+import {openStudy} from './study.js';
 
 async function openRun() {
   const page = new Page(readContents());
@@ -17,7 +18,7 @@ async function openRun() {
 }
 
 try {
-  await (document.getElementById('compared') ? compareRuns() : openRun());
+  await (document.getElementById('study') ? openStudy() : document.getElementById('compared') ? compareRuns() : openRun());
 } catch (error) {
   giveUp(`This page cannot be shown: ${error.message}`);
   throw error;

@@ -18,13 +18,13 @@ export function short(value) {
 /** A mark of an axis, with the digits that tell it from its neighbours. */
 export function tickText(value, step) {
   const largest = Math.max(Math.abs(value), step);
-  return reading(Math.abs(value) < 1e-9 * step ? 0 : value, Math.max(1, Math.ceil(Math.log10(largest / step) + 1e-9) + 1));
+  return reading(Math.abs(value) < 1e-9 * step ? 0 : value, Math.min(Math.max(1, Math.ceil(Math.log10(largest / step) + 1e-9) + 1), 17));
 }
 
 /** The same with a power of ten from a million on and below a thousandth: short enough to stand beside an axis. */
 export function axisText(value, step) {
   const largest = Math.max(Math.abs(value), step);
-  if (value === 0 || Math.abs(value) < 1e-9 * step || (largest < 1e6 && step >= 1e-4)) {
+  if (value === 0 || Math.abs(value) < 1e-9 * step || (largest < 1e6 && (step >= 1e-4 || largest >= 0.1))) {
     return tickText(value, step);
   }
   const power = Math.floor(Math.log10(Math.abs(value)));

@@ -57,7 +57,7 @@ export class Page {
       $('trouble').textContent = 'The run has no frames to show. ' + (contents.notices[0] ?? '');
     }
     const tables = await Promise.all(contents.tables.map(t => recording.table(t)));
-    this.plots = new Plots($('tab-plots'), tables, contents.summary?.expects ?? [], time => this.goToTime(time));
+    this.plots = new Plots($('tab-plots'), tables, contents.summary?.expects ?? [], contents.gauges ?? [], time => this.goToTime(time));
     this.plots.at(recording.times[this.index] ?? 0);
     this.address.keep();
     recording.loadAll().then(() => note('loaded'), error => {

@@ -7,13 +7,17 @@ import {Chart} from './chart.js';
 const OPEN_AT_FIRST = 5;  // charts
 
 export class Plots {
-  /** `expects`: expected answers of the run, drawn as bands behind the quantities that they are about. */
-  constructor(parent, tables, expects, onTime) {
+  /**
+   * `expects`: expected answers of the run, drawn as bands behind the quantities that they are about. `gauges`: those of the
+   * case; a level and a way along a slope, both in metres, have charts of their own.
+   */
+  constructor(parent, tables, expects, gauges, onTime) {
     this.charts = [];
+    const kinds = new Map(gauges.map(({name, kind}) => [name, kind.replaceAll('_', ' ')]));
     for (const table of tables) {
       const drawn = table.columns.filter(
           column => column.name !== 'step' && column.values.some(v => v !== 0 && Number.isFinite(v)));
-      const dressed = drawn.map(column => ({...sinceStart(column), kind: kindOf(column), bands: bandsOf(column, expects)}));
+      const dressed = drawn.map(column => ({...sinceStart(column), kind: kinds.has(column.name) ? `gauges of ${kinds.get(column.name)}` : kindOf(column), bands: bandsOf(column, expects)}));
       const groups = groupBy(dressed, column => `${column.kind} [${column.unit}]`);
       for (const heading of [...groups.keys()].sort((a, b) => rank(groups.get(a)[0].unit) - rank(groups.get(b)[0].unit))) {
         const curves = groups.get(heading).map(column => ({...column}));

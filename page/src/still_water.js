@@ -21,6 +21,7 @@ function unitBox(axis) {
 export class StillWater {
   constructor({basins, levels}, up, box, size) {
     this.levels = levels;
+    this.colour = WATER.color.getHex();
     this.axis = [0, 1, 2].find(k => up.getComponent(k) !== 0);
     this.sign = up.getComponent(this.axis);
     this.group = new THREE.Group();

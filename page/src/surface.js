@@ -168,6 +168,7 @@ export class WaterSurface {
 
   setTheme(theme) {
     const {deep, shallow, sky} = this.shade.uniforms;
+    this.colour = COLOURS[theme].shallow;
     [[deep, 'deep'], [shallow, 'shallow'], [sky, 'sky']].forEach(([uniform, name]) => uniform.value.set(COLOURS[theme][name]).convertLinearToSRGB());
   }
 

@@ -8,6 +8,6 @@ import {browserProgram} from './stage.js';
 if (!browserProgram()) {
   console.log('skipped: there is no Chromium on this machine (Debian\'s package chromium)');
 } else {
-  const files = ['blocks', 'water'].map(name => fileURLToPath(new URL(`${name}.test.js`, import.meta.url)));
+  const files = ['blocks', 'water', 'study', 'study_data'].map(name => fileURLToPath(new URL(`${name}.test.js`, import.meta.url)));
   process.exit(spawnSync(process.execPath, ['--test', '--test-concurrency=1', ...files], {stdio: 'inherit'}).status);
 }

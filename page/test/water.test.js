@@ -89,7 +89,10 @@ test('water is drawn in every frame, in other colours by speed, and not at all w
     dry.forEach((place, k) => assert.ok(!differs(pressure[wet.length + k], hidden[wet.length + k]),
                                         `frame ${index}: water at ${place}`));
   }
+  await colours('surface');
+  assert.match(await page.textContent('#legends'), /watersurface/);
   const bySpeed = await colours('speed');
+  assert.doesNotMatch(await page.textContent('#legends'), /watersurface/);
   assert.match(await page.textContent('#legends'), /speed of water \[m\/s\]/);
   const byPressure = await colours('pressure');
   assert.ok(wet.some((_, k) => differs(bySpeed[k], byPressure[k])));

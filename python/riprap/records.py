@@ -384,7 +384,7 @@ def ensemble(
 
     Members are run folders `member-1`, ... of `out`, made as the runs of `sweep` are, several at a time or by `map`; those
     that are finished stay. Returns a Study, and leaves ensemble.csv (member, seed, exit code, values), bands.csv (least,
-    mean and largest of what is recorded, over time), ensemble.json and index.html in `out`.
+    mean, largest and quantiles of what is recorded, over time), ensemble.json and index.html in `out`.
     """
     import riprap
 

@@ -60,9 +60,10 @@ TEST(Ensemble, members_fly_as_far_as_the_speeds_that_they_drew) {
     std::istringstream table(io::read_file(options.run.out / "ensemble.csv", 1U << 16U));
     std::string line;
     std::getline(table, line);  // the heading
-    double least = 2, most = 1;
+    double least = 2, most = 1, sum = 0;
     for (std::int64_t k = 1; k <= 3; ++k) {
         const double speed = draw(spread, 7, k);
+        sum += speed;
         std::getline(table, line);
         EXPECT_DOUBLE_EQ(std::stod(line.substr(line.rfind(',') + 1)), speed) << line;
         EXPECT_TRUE(speed >= 1 && speed < 2);
@@ -74,6 +75,12 @@ TEST(Ensemble, members_fly_as_far_as_the_speeds_that_they_drew) {
     EXPECT_NEAR(bands.values[1].back(), 0.02 * least, 1e-9);
     EXPECT_NEAR(bands.values[3].back(), 0.02 * most, 1e-9);
     EXPECT_LT(least, most);
+    // Of three values the quantile of 10 % lies a fifth of the way from the least to the middle one.
+    const double middle = sum - least - most;
+    EXPECT_EQ(bands.columns[4].name, "stone.position.x.p10");
+    EXPECT_NEAR(bands.values[4].back(), 0.02 * (0.8 * least + 0.2 * middle), 1e-9);
+    EXPECT_NEAR(bands.values[5].back(), 0.02 * middle, 1e-9);
+    EXPECT_NEAR(bands.values[6].back(), 0.02 * (0.2 * middle + 0.8 * most), 1e-9);
 }
 
 TEST(Ensemble, more_members_leave_the_first_ones_as_they_were) {

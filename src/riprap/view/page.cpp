@@ -55,6 +55,10 @@ std::string page_with(const std::string& scripts) {
 
 }  // namespace
 
+bool has_page() { return page_template().find(place_of_run) != std::string_view::npos; }
+
+std::string page_of_study(const std::string& json) { return page_with(script("study", json_in_html(json))); }
+
 std::string page_of(const PageContent& content) { return page_with(scripts_of(content, "")); }
 
 std::string page_of(const std::vector<PageContent>& contents, const std::vector<std::string>& names) {

@@ -35,24 +35,37 @@ double value_at(const io::CsvTable& table, std::size_t column, double time) {
     return y[after - 1] + share * (y[after] - y[after - 1]);
 }
 
+/// Returns the quantile of sorted values, NaN of none.
+double quantile(const std::vector<double>& sorted, double share) {
+    if (sorted.empty()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const double place = share * static_cast<double>(sorted.size() - 1);
+    const auto k = static_cast<std::size_t>(place);
+    const double above = sorted[std::min(k + 1, sorted.size() - 1)];
+    return sorted[k] + (place - static_cast<double>(k)) * (above - sorted[k]);
+}
+
 Band band_of(const std::vector<io::CsvTable>& tables, std::size_t column, const std::vector<double>& time) {
     Band band{tables[0].columns[column], {}, {}, {}};
+    std::vector<double> values;
     for (const double t : time) {
-        double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
-        int count = 0;
+        values.clear();
+        double sum = 0;
         for (const io::CsvTable& table : tables) {
-            const double value = value_at(table, column, t);
-            if (!std::isnan(value)) {
-                low = std::min(low, value);
-                high = std::max(high, value);
+            if (const double value = value_at(table, column, t); !std::isnan(value)) {
+                values.push_back(value);
                 sum += value;
-                ++count;
             }
         }
+        std::sort(values.begin(), values.end());
         const double none = std::numeric_limits<double>::quiet_NaN();
-        band.low.push_back(count > 0 ? low : none);
-        band.mean.push_back(count > 0 ? sum / count : none);
-        band.high.push_back(count > 0 ? high : none);
+        band.low.push_back(values.empty() ? none : values.front());
+        band.mean.push_back(values.empty() ? none : sum / static_cast<double>(values.size()));
+        band.high.push_back(values.empty() ? none : values.back());
+        band.tenth.push_back(quantile(values, 0.1));
+        band.median.push_back(quantile(values, 0.5));
+        band.ninetieth.push_back(quantile(values, 0.9));
     }
     return band;
 }
@@ -115,7 +128,7 @@ Bands gather_bands(const std::vector<std::filesystem::path>& members) {
 void write_bands(const std::filesystem::path& path, const Bands& bands) {
     std::vector<io::CsvColumn> columns{{"time", "s"}};
     for (const Band& band : bands.bands) {
-        for (const char* part : {"low", "mean", "high"}) {
+        for (const char* part : {"low", "mean", "high", "p10", "p50", "p90"}) {
             columns.push_back({band.column.name + '.' + part, band.column.unit});
         }
     }
@@ -123,7 +136,8 @@ void write_bands(const std::filesystem::path& path, const Bands& bands) {
     for (std::size_t i = 0; i < bands.time.size(); ++i) {
         std::vector<double> row{bands.time[i]};
         for (const Band& band : bands.bands) {
-            row.insert(row.end(), {band.low[i], band.mean[i], band.high[i]});
+            row.insert(row.end(),
+                       {band.low[i], band.mean[i], band.high[i], band.tenth[i], band.median[i], band.ninetieth[i]});
         }
         text += io::csv_row(row) + '\n';
     }
