@@ -9,6 +9,7 @@
 #include <string>
 
 #include "riprap/core/parallel.hpp"
+#include "riprap/core/selection.hpp"
 
 namespace riprap {
 namespace {
@@ -159,6 +160,23 @@ TEST_P(ThreadCounts, ALoopInsideALoopRunsOnItsCallersThread) {
             [i](std::int64_t k) { return 1.0 / static_cast<double>(static_cast<std::int64_t>(i) + k + 1); },
             [](double a, double b) { return a + b; });
         ASSERT_EQ(sums[i], alone);
+    }
+}
+
+TEST_P(ThreadCounts, ASelectionIsInTheOneOrderOfAllAndCounted) {
+    for (const std::int64_t n : {0, 1, 2047, 2048, 2049, 50'000}) {
+        for (const std::size_t every : {1, 3, 2048, 100'000}) {
+            const auto is = [every](std::size_t i) { return (i + 1) % every == 0; };
+            std::vector<std::size_t> expected;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+                if (is(i)) {
+                    expected.push_back(i);
+                }
+            }
+            const std::int64_t before = parallel::entries_selected();
+            ASSERT_EQ(parallel::select(n, is), expected) << n << " entries, one of " << every;
+            ASSERT_EQ(parallel::entries_selected() - before, std::ssize(expected));
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "riprap/core/selection.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
@@ -189,6 +190,37 @@ TEST(Gauge, the_water_in_a_box_has_its_middle_and_its_mean_velocity) {
         EXPECT_NEAR(tank.read(&mean_velocity_gauge, {0.2, 0.1, 0}, {0.6, 0.3, 1}), 2 * 0.2, 1e-12);
         EXPECT_EQ(tank.read(&centre_gauge, {3, 0, 0}, {4, 1, 1}), 0) << "no water";
     }
+}
+
+// Whoever reads a gauge looks at the water near it alone, one particle by another; all particles are asked on all
+// threads whether they are near.
+TEST(Gauge, a_reading_looks_at_few_of_the_particles_and_has_the_same_bits_on_any_threads) {
+    Tank tank(2, 0.004);
+    const std::int64_t all = tank.state.size();
+    for (std::size_t j = 0; j < tank.state.position.size(); ++j) {
+        const Vec3& x = tank.state.position[j];
+        tank.state.velocity[j] = {std::sin(7 * x.x + x.y), std::cos(5 * x.y), 0};
+        tank.state.density[j] *= 1 + 1e-3 * std::sin(11 * x.x * x.y);
+    }
+    const Vec3 low{0.4, 0.2, 0}, high{0.5, 0.3, 0};
+    for (const GaugeKind* kind : {&pressure_gauge, &velocity_gauge, &level_gauge, &surface_gauge, &run_up_gauge,
+                                  &flow_gauge, &volume_gauge, &centre_gauge, &mean_velocity_gauge}) {
+        const bool is_section = kind == &flow_gauge;
+        const bool is_line = kind == &surface_gauge || kind == &run_up_gauge;
+        const Vec3 end = is_section ? Vec3{0.4, 0.5, 0} : is_line ? Vec3{0.4, 0.9, 0} : high;
+        parallel::set_thread_count(1);
+        const std::int64_t before = parallel::entries_selected();
+        const double value = tank.read(kind, low, end);
+        const std::int64_t looks = parallel::entries_selected() - before;
+        EXPECT_NE(value, 0) << kind->word;
+        EXPECT_GT(looks, 0) << kind->word;
+        EXPECT_LT(looks, all / 20) << kind->word;
+        for (const int threads : {2, 4}) {
+            parallel::set_thread_count(threads);
+            EXPECT_EQ(tank.read(kind, low, end), value) << kind->word << ", " << threads << " threads";
+        }
+    }
+    parallel::set_thread_count(1);
 }
 
 TEST(Gauge, every_kind_is_found_by_its_name) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "riprap/fluid/open/leaving.hpp"
 #include "riprap/fluid/open/open_boundary.hpp"
 #include "riprap/fluid/sph/sph_settings.hpp"
 
@@ -95,6 +98,38 @@ TEST(OpenBoundary, every_particle_in_and_out_is_counted_and_a_uniform_stream_sta
         const double x = stream.water.position[i].x;
         const double first = std::fmod(0.7 * stream.time + 0.05, 0.1);  // place of the newest layer
         EXPECT_NEAR(std::remainder(x - first, 0.1), 0, 1e-9);
+    }
+}
+
+TEST(OpenBoundary, those_who_are_left_keep_their_order_and_all_that_is_theirs) {
+    const auto rest_after = [](const std::vector<std::size_t>& gone) {
+        ParticleState water;
+        for (int i = 0; i < 100; ++i) {
+            water.add({0.1 * i, 0, 0}, {0, 0.2 * i, 0}, 1000 + i, i);
+        }
+        leave_out(gone, water);
+        std::vector<int> rest;
+        for (std::size_t i = 0; i < water.position.size(); ++i) {
+            const int id = water.id[i];
+            EXPECT_EQ(water.position[i].x, 0.1 * id);
+            EXPECT_EQ(water.velocity[i].y, 0.2 * id);
+            EXPECT_EQ(water.density[i], 1000 + id);
+            rest.push_back(id);
+        }
+        return rest;
+    };
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < 100; ++i) {
+        all.push_back(i);
+    }
+    for (const std::vector<std::size_t>& gone : {std::vector<std::size_t>{}, {0}, {99}, {0, 1, 50, 52, 98, 99}, all}) {
+        std::vector<int> expected;
+        for (int i = 0; i < 100; ++i) {
+            if (!std::binary_search(gone.begin(), gone.end(), static_cast<std::size_t>(i))) {
+                expected.push_back(i);
+            }
+        }
+        EXPECT_EQ(rest_after(gone), expected) << gone.size() << " gone";
     }
 }
 

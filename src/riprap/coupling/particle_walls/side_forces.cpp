@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/core/selection.hpp"
 #include "riprap/fluid/mps_operators/mps_lattice.hpp"
 #include "riprap/fluid/mps_operators/wall_pairs.hpp"
 #include "riprap/fluid/particle/kernel.hpp"
@@ -42,11 +43,12 @@ SideForces::SideForces(const WaterAtFace& water, const fluid::BoundaryParticles&
     std::visit(
         [&](const auto& settings) {
             const fluid::PeriodicImages images(settings.domain);
-            for (std::size_t j = 0; j < water.particles.position.size(); ++j) {
-                const Vec3 x = images.nearest(water.particles.position[j], place);
-                if (norm_squared(x - place) > reach * reach) {
-                    continue;
-                }
+            const std::vector<Vec3>& places = water.particles.position;
+            const auto is_near = [&](std::size_t j) {
+                return !(norm_squared(images.nearest(places[j], place) - place) > reach * reach);
+            };
+            for (const std::size_t j : parallel::select(water.particles.size(), is_near)) {
+                const Vec3 x = images.nearest(places[j], place);
                 const double density = water.particles.density[j];
                 const bool is_in_front = dot(x - place, normal) > -behind * settings.spacing;
                 near_.push_back({x, pressure_in(settings, density), settings.particle_mass / density, density,

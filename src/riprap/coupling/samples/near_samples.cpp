@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "riprap/core/index.hpp"
@@ -25,12 +26,14 @@ class WetCells {
         span_box(water, reach);
         choose_cells(0.5 * reach, water[0].size() + water[1].size());
         wet_.assign(at(counts_[0] * counts_[1] * counts_[2]), 0);
-        for_all_finite(water, [this](const Vec3& x) {
-            Cell cell{};
-            if (find(x, cell)) {
-                wet_[entry(cell)] = 1;
-            }
-        });
+        for (const std::span<const Vec3> places : water) {
+            parallel::for_each(std::ssize(places), [&](std::int64_t i) {
+                Cell cell{};
+                if (is_finite(places[at(i)]) && find(places[at(i)], cell)) {
+                    wet(cell);
+                }
+            });
+        }
         for (std::size_t axis = 0; axis < 3; ++axis) {
             spread(axis);
         }
@@ -42,26 +45,32 @@ class WetCells {
     }
 
  private:
-    template <class Visit>
-    static void for_all_finite(const Places& water, const Visit& visit) {
-        for (const std::span<const Vec3> places : water) {
-            for (const Vec3& x : places) {
-                if (is_finite(x)) {
-                    visit(x);
-                }
-            }
+    struct Extent {
+        Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    };
+    static Extent join(const Extent& a, const Extent& b) { return {min(a.low, b.low), max(a.high, b.high)}; }
+
+    /// Many threads may meet in one cell; they all write the same.
+    void wet(const Cell& cell) {
+        const std::atomic_ref<std::uint8_t> mark(wet_[entry(cell)]);
+        if (mark.load(std::memory_order_relaxed) == 0) {  // a line that is only read stays in the caches of all
+            mark.store(1, std::memory_order_relaxed);
         }
     }
 
     /// The water within the domain, with two reaches about it; along periodic axes the domain. Water that has left it
     /// ends the step soon after, and must not make cells without end before.
     void span_box(const Places& water, double reach) {
-        low_ = Vec3{1e300, 1e300, 1e300};
-        high_ = -low_;
-        for_all_finite(water, [this](const Vec3& x) {
-            low_ = min(low_, x);
-            high_ = max(high_, x);
-        });
+        Extent all;
+        for (const std::span<const Vec3> places : water) {
+            const auto extent_of = [&](std::int64_t i) {
+                const Vec3& x = places[at(i)];
+                return is_finite(x) ? Extent{x, x} : Extent{};
+            };
+            all = join(all, parallel::reduce(std::ssize(places), Extent{}, extent_of, join));
+        }
+        low_ = all.low;
+        high_ = all.high;
         for (int axis = 0; axis < 3; ++axis) {
             if (axis >= domain_.dimension || !(low_[axis] <= high_[axis])) {
                 low_[axis] = high_[axis] = 0;

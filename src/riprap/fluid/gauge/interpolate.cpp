@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "riprap/core/selection.hpp"
+
 namespace riprap::fluid {
 
 namespace {
@@ -56,15 +58,10 @@ std::vector<std::size_t> particles_near_line(const Vec3& a, const Vec3& b, const
         const double share = length_squared > 0 ? std::clamp(dot(d, way) / length_squared, 0.0, 1.0) : 0.0;
         return norm_squared(d - share * way) < reach * reach;
     };
-    std::vector<std::size_t> near;
-    for (std::size_t j = 0; j < state.position.size(); ++j) {
-        const Vec3& x = state.position[j];
-        if (std::any_of(images.shifts().begin(), images.shifts().end(),
-                        [&](const Vec3& shift) { return is_near(x + shift); })) {
-            near.push_back(j);
-        }
-    }
-    return near;
+    return parallel::select(state.size(), [&](std::size_t j) {
+        return std::any_of(images.shifts().begin(), images.shifts().end(),
+                           [&](const Vec3& shift) { return is_near(state.position[j] + shift); });
+    });
 }
 
 double water_fraction(const Vec3& x, const ParticleSettings& settings, const ParticleState& state,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/core/selection.hpp"
 #include "riprap/fluid/gauge/interpolate.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/fluid/particle/sweep/cell_grid.hpp"
@@ -128,14 +129,17 @@ double ParticleReader::level(const Vec3& x, const Vec3& up) const {
     };
     const double rest_volume = settings_.particle_mass / settings_.rest_density;
     const PeriodicImages images(settings_.domain);
-    double sum = 0;
-    for (std::size_t j = 0; j < state_.position.size(); ++j) {
+    const auto weight_of = [&](std::size_t j) {
         const Vec3 d = images.nearest(state_.position[j], x) - x;
         double weight = 0;
         for (const Vec3& shift : images.shifts()) {
             weight += weight_at(d + shift);
         }
-        sum += weight > 0 ? rest_volume * weight : 0.0;
+        return weight;
+    };
+    double sum = 0;
+    for (const std::size_t j : parallel::select(state_.size(), [&](std::size_t j) { return weight_of(j) > 0; })) {
+        sum += rest_volume * weight_of(j);
     }
     return sum;
 }
@@ -178,8 +182,7 @@ double ParticleReader::flow(const Vec3& low, const Vec3& high) const {
                                                      : normal_axis(high - low);
     const double rest_volume = settings_.particle_mass / settings_.rest_density;
     const PeriodicImages images(settings_.domain);
-    double sum = 0;
-    for (std::size_t j = 0; j < state_.position.size(); ++j) {
+    const auto weight_of = [&](std::size_t j) {
         double weight = 0;
         for (const Vec3& shift : images.shifts()) {
             const Vec3 x = state_.position[j] + shift;
@@ -187,7 +190,11 @@ double ParticleReader::flow(const Vec3& low, const Vec3& high) const {
                 weight = std::max(weight, spline_weight(x[axis] - low[axis], settings_.spacing));
             }
         }
-        sum += weight > 0 ? rest_volume * weight * state_.velocity[j][axis] : 0.0;
+        return weight;
+    };
+    double sum = 0;
+    for (const std::size_t j : parallel::select(state_.size(), [&](std::size_t j) { return weight_of(j) > 0; })) {
+        sum += rest_volume * weight_of(j) * state_.velocity[j][axis];
     }
     return sum;
 }
@@ -195,10 +202,14 @@ double ParticleReader::flow(const Vec3& low, const Vec3& high) const {
 double ParticleReader::volume(const Vec3& low, const Vec3& high) const {
     const double rest_volume = settings_.particle_mass / settings_.rest_density;
     double sum = 0;
-    for (std::size_t j = 0; j < state_.position.size(); ++j) {
-        sum += is_inside(j, low, high) ? rest_volume : 0;
+    for (std::size_t count = inside(low, high).size(); count > 0; --count) {
+        sum += rest_volume;
     }
     return sum;
+}
+
+std::vector<std::size_t> ParticleReader::inside(const Vec3& low, const Vec3& high) const {
+    return parallel::select(state_.size(), [&](std::size_t j) { return is_inside(j, low, high); });
 }
 
 bool ParticleReader::is_inside(std::size_t particle, const Vec3& low, const Vec3& high) const {
@@ -211,11 +222,9 @@ bool ParticleReader::is_inside(std::size_t particle, const Vec3& low, const Vec3
 Vec3 ParticleReader::mean_of(const std::vector<Vec3>& field, const Vec3& low, const Vec3& high) const {
     Vec3 sum{};
     double count = 0;
-    for (std::size_t j = 0; j < state_.position.size(); ++j) {
-        if (is_inside(j, low, high)) {
-            sum += field[j];
-            count += 1;
-        }
+    for (const std::size_t j : inside(low, high)) {
+        sum += field[j];
+        count += 1;
     }
     return count > 0 ? sum / count : sum;
 }

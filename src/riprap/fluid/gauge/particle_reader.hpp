@@ -34,6 +34,7 @@ class ParticleReader : public WaterReader {
     Vec3 mean_velocity(const Vec3& low, const Vec3& high) const override;
 
  private:
+    std::vector<std::size_t> inside(const Vec3& low, const Vec3& high) const;
     bool is_inside(std::size_t particle, const Vec3& low, const Vec3& high) const;
     /// Mean of a field over the particles in a box; zero without any.
     Vec3 mean_of(const std::vector<Vec3>& field, const Vec3& low, const Vec3& high) const;

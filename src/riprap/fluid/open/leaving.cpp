@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/fluid/open/leaving.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string_view>
 
-#include "riprap/core/parallel.hpp"
+#include "riprap/core/selection.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 
 namespace riprap::fluid {
 
 namespace {
 
-struct KeepOnly {
-    const std::vector<std::size_t>& kept;
+struct LeaveOut {
+    const std::vector<std::size_t>& gone;
 
     template <class T>
     void operator()(std::string_view, std::vector<T>& values) const {
-        const std::size_t left = values.empty() ? 0 : kept.size();  // empty: a field that this scheme has not
-        for (std::size_t k = 0; k < left; ++k) {
-            values[k] = values[kept[k]];
+        if (values.empty() || gone.empty()) {  // empty: a field that this scheme has not
+            return;
         }
-        values.resize(left);
+        const auto entry = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+        auto end = entry(gone.front());
+        for (std::size_t k = 0; k < gone.size(); ++k) {
+            end = std::copy(entry(gone[k] + 1), k + 1 < gone.size() ? entry(gone[k + 1]) : values.end(), end);
+        }
+        values.erase(end, values.end());
     }
     void operator()(std::string_view, double&) const {}
     void operator()(std::string_view, std::int64_t&) const {}
@@ -40,8 +45,8 @@ void book_particle(const ParticleSettings& settings, const ParticleState& water,
         (0.5 * norm_squared(v) - dot(gravity, water.position[i]) + internal_energy_of(settings, water.density[i]));
 }
 
-void keep_only(const std::vector<std::size_t>& kept, ParticleState& water) {
-    ParticleState::visit_fields(water, KeepOnly{kept});
+void leave_out(const std::vector<std::size_t>& gone, ParticleState& water) {
+    ParticleState::visit_fields(water, LeaveOut{gone});
     water.flow.forget();  // its geometry had those that are gone
 }
 
@@ -60,23 +65,15 @@ Passage let_go(const ParticleSettings& settings, const Vec3& gravity, double dt,
         const double x = water.position[i][axis], next = x + dt * water.velocity[i][axis];
         return is_high ? std::fmax(x, next) > domain.high[axis] : std::fmin(x, next) < domain.low[axis];
     };
-    const std::int64_t count = parallel::reduce(
-        water.size(), std::int64_t{0},
-        [&](std::int64_t i) { return leaves(static_cast<std::size_t>(i)) ? std::int64_t{1} : std::int64_t{0}; },
-        [](std::int64_t a, std::int64_t b) { return a + b; });
-    if (count == 0) {
+    const std::vector<std::size_t> gone = parallel::select(water.size(), leaves);
+    if (gone.empty()) {
         return passage;
     }
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < water.position.size(); ++i) {
-        if (leaves(i)) {
-            book_particle(settings, water, i, gravity, -1, passage);
-        } else {
-            kept.push_back(i);
-        }
+    for (const std::size_t i : gone) {
+        book_particle(settings, water, i, gravity, -1, passage);
     }
-    passage.left = count;
-    keep_only(kept, water);
+    passage.left = static_cast<std::int64_t>(gone.size());
+    leave_out(gone, water);
     return passage;
 }
 

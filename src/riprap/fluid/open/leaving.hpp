@@ -14,8 +14,8 @@ namespace riprap::fluid {
 void book_particle(const ParticleSettings& settings, const ParticleState& water, std::size_t i, const Vec3& gravity,
                    double sign, Passage& passage);
 
-/// Leaves out all particles but those listed, in rising order.
-void keep_only(const std::vector<std::size_t>& kept, ParticleState& water);
+/// Leaves out the particles listed, in rising order; the others keep theirs.
+void leave_out(const std::vector<std::size_t>& gone, ParticleState& water);
 
 /// Lets go what leaves the domain through its top, the side that gravity points away from along its strongest axis,
 /// within the next `dt`: single splashes that would come back as rain, of which nothing more is known. Other sides, and

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "riprap/core/selection.hpp"
 #include "riprap/fluid/open/layers.hpp"
 #include "riprap/fluid/open/leaving.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
@@ -70,14 +71,10 @@ void enter_layers(const Outflow& outflow, std::int32_t k, const Vec3& x, const V
 
 void pass_out(const OpenBoundaries& open, const ParticleSettings& settings, const Vec3& gravity, OpenState& state,
               ParticleState& water, Passage& passage) {
-    std::vector<std::size_t> kept;
-    kept.reserve(water.position.size());
-    for (std::size_t i = 0; i < water.position.size(); ++i) {
+    const std::vector<std::size_t> gone = parallel::select(
+        water.size(), [&](std::size_t i) { return opening_passed(open, settings, water.position[i]) >= 0; });
+    for (const std::size_t i : gone) {
         const std::int64_t passed = opening_passed(open, settings, water.position[i]);
-        if (passed < 0) {
-            kept.push_back(i);
-            continue;
-        }
         book_particle(settings, water, i, gravity, -1, passage);
         passage.left += 1;
         state.left[at(passed)] += 1;
@@ -88,8 +85,8 @@ void pass_out(const OpenBoundaries& open, const ParticleSettings& settings, cons
             }
         }
     }
-    if (kept.size() < water.position.size()) {
-        keep_only(kept, water);
+    if (!gone.empty()) {
+        leave_out(gone, water);
     }
 }
 
@@ -103,18 +100,17 @@ void follow_water(const OpenBoundaries& open, const ParticleSettings& settings, 
             continue;
         }
         double sum = 0;
-        std::int64_t count = 0;
-        for (std::size_t i = 0; i < water.position.size(); ++i) {
+        const std::vector<std::size_t> near = parallel::select(water.size(), [&](std::size_t i) {
             const double before = -opening.past(water.position[i]);
-            if (before >= 0 && before <= settings.support_radius() &&
-                opening.is_across(water.position[i], settings.domain.dimension)) {
-                sum += dot(opening.direction(), water.velocity[i]);
-                count += 1;
-            }
+            return before >= 0 && before <= settings.support_radius() &&
+                   opening.is_across(water.position[i], settings.domain.dimension);
+        });
+        for (const std::size_t i : near) {
+            sum += dot(opening.direction(), water.velocity[i]);
         }
-        for (std::size_t i = 0; count > 0 && i < state.position.size(); ++i) {
+        for (std::size_t i = 0; !near.empty() && i < state.position.size(); ++i) {
             if (state.outflow[i] == static_cast<std::int32_t>(k)) {
-                state.velocity[i] = std::max(0.0, sum / static_cast<double>(count)) * opening.direction();
+                state.velocity[i] = std::max(0.0, sum / static_cast<double>(near.size())) * opening.direction();
             }
         }
     }
