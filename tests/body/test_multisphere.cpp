@@ -83,18 +83,6 @@ TEST(Multisphere, AFilledCubeIsTheLatticeInItLessItsInside) {
     }
 }
 
-TEST(Multisphere, ASectionIsFilledWithEachDiscOnce) {
-    geometry::Polyhedron wedge = geometry::box({1, 1, 1});
-    for (Vec3& v : wedge.vertices) {
-        v.x *= v.y > 0 ? 0.8 : 1;  // five rows of ten discs, five of eight
-    }
-    const Multisphere filled = fill_section(wedge, 0.1).value();
-    EXPECT_EQ(filled.spheres.size(), 10U + 4 * 2 + 4 * 2 + 8);
-    for (const ShapeSphere& s : filled.spheres) {
-        EXPECT_EQ(s.centre.z, 0);
-    }
-}
-
 TEST(Multisphere, MoreSpheresThanAnybodyWaitsForAreRefused) {
     EXPECT_FALSE(box_shell({0.4, 0.4, 0.2}, 1e-4));
     EXPECT_FALSE(box_shell({1, 1, 1e-9}, 0.5e-9));

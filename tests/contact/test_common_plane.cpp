@@ -135,6 +135,42 @@ TEST(CommonPlane, the_gap_of_bodies_apart_is_the_distance_of_their_nearest_point
     EXPECT_NEAR(common_plane(a.view(), c.view(), {}, 10).gap, std::sqrt(0.5), 1e-14);
 }
 
+/// The gap found by Cundall's search as [Ding2021, eqs. 4.50-4.52] describes it: turns the normal by atan K in four
+/// directions, keeps what widens the gap, halves K from tan 5 degrees down to tan 0.01 degrees. Exact to about the last
+/// angle times the size of the contact.
+double perturbed_search(const PlacedHull& a, const PlacedHull& b) {
+    constexpr double degree = std::numbers::pi / 180;
+    Vec3 n = normalized(b.centre - a.centre);
+    double gap = plane_gap(a, b, n);
+    int pass = 0;
+    for (double k = std::tan(5 * degree); k > std::tan(0.01 * degree);) {
+        Vec3 p = normalized(cross(n, std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+        Vec3 q = cross(n, p);
+        if (pass++ % 2 == 1) {
+            const Vec3 old = p;
+            p = normalized(p + q);
+            q = normalized(q - old);
+        }
+        Vec3 best = n;
+        double best_gap = gap;
+        for (const Vec3& step : {p, -p, q, -q}) {
+            const Vec3 turned = normalized(n + k * step);
+            const double turned_gap = plane_gap(a, b, turned);
+            if (turned_gap > best_gap) {
+                best = turned;
+                best_gap = turned_gap;
+            }
+        }
+        if (best_gap > gap) {
+            n = best;
+            gap = best_gap;
+        } else if (pass % 2 == 0) {
+            k /= 2;
+        }
+    }
+    return gap;
+}
+
 TEST(CommonPlane, the_perturbed_search_never_passes_the_exact_gap_and_may_stall_on_a_ridge) {
     Dice dice(7);
     int apart = 0, stalled = 0;
@@ -142,7 +178,7 @@ TEST(CommonPlane, the_perturbed_search_never_passes_the_exact_gap_and_may_stall_
         const Hull a(cube(1), {{}, turn(dice.point(), 3 * dice())});
         const Hull b(cube(1), {1.5 * normalized(dice.point()), turn(dice.point(), 3 * dice())});
         const double exact = common_plane_exact(a.view(), b.view()).gap;
-        const double search = common_plane_search(a.view(), b.view()).gap;
+        const double search = perturbed_search(a.view(), b.view());
         EXPECT_LE(search, exact + 1e-12);
         apart += exact > 0 ? 1 : 0;
         stalled += exact > 0 && search < exact - 1e-3 ? 1 : 0;

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "geometry/random_shapes.hpp"
-#include "riprap/geometry/polyhedra/half_edge.hpp"
 #include "riprap/geometry/polyhedra/shape_set.hpp"
 #include "riprap/geometry/polyhedra/shapes.hpp"
 
@@ -92,25 +91,6 @@ TEST(ClosestSurfacePoint, OfAHalfSpaceIsTheFootOnItsPlane) {
     EXPECT_EQ(above.normal, (Vec3{0, 0, 1}));
     EXPECT_EQ(below.point, (Vec3{1, 2, 3}));
     EXPECT_EQ(below.distance, -8);
-}
-
-TEST(SupportVertex, ByHillClimbingReachesTheSameHeightFromAnywhere) {
-    std::mt19937_64 random(53);
-    for (const int count : {4, 12, 25}) {
-        const Polyhedron block = testing::random_block(random, count);
-        ShapeSet shapes;
-        const ConvexView view = shapes.view(shapes.add_convex(block));
-        const VertexNeighbours neighbours = vertex_neighbours(half_edges(block).value());
-        for (int trial = 0; trial < 200; ++trial) {
-            const Vec3 direction = testing::random_direction(random);
-            const double top = dot(direction, view.vertex(support_vertex(view, direction)));
-            for (std::int32_t start = 0; start < view.vertex_count; ++start) {
-                const std::int32_t found =
-                    support_vertex(view, neighbours.start.data(), neighbours.neighbour.data(), direction, start);
-                EXPECT_EQ(dot(direction, view.vertex(found)), top);
-            }
-        }
-    }
 }
 
 }  // namespace

@@ -103,13 +103,11 @@ TEST(HalfEdges, ArePairedNextedAndTurnedConsistently) {
 TEST(HalfEdges, CirculateThroughEveryNeighbourOfAVertex) {
     const Polyhedron shape = icosahedron(1);
     const HalfEdgeMesh mesh = half_edges(shape).value();
-    const VertexNeighbours neighbours = vertex_neighbours(mesh);
     for (std::int32_t v = 0; v < 12; ++v) {
         std::set<std::int32_t> reached;
         mesh.for_each_outgoing(v, [&](std::int32_t e) { reached.insert(mesh.end(e)); });
         EXPECT_EQ(reached.size(), 5U);
-        EXPECT_TRUE(std::equal(reached.begin(), reached.end(), neighbours.of(v).begin(), neighbours.of(v).end()));
-        for (const std::int32_t other : neighbours.of(v)) {
+        for (const std::int32_t other : reached) {
             EXPECT_NEAR(
                 norm(shape.vertices[static_cast<std::size_t>(v)] - shape.vertices[static_cast<std::size_t>(other)]), 1,
                 1e-14);

@@ -206,10 +206,7 @@ geometry::Outcome<Multisphere> ring(double outer_radius, double sphere_radius, i
     return shape;
 }
 
-namespace {
-
-/// The lattice of fill_surface, or of fill_section in the middle of a prism.
-geometry::Outcome<Multisphere> fill(const geometry::Polyhedron& surface, double spacing, bool is_section) {
+geometry::Outcome<Multisphere> fill_surface(const geometry::Polyhedron& surface, double spacing) {
     Multisphere shape;
     shape.shape = mass_properties(surface);
     if (!(shape.shape.volume > 0) || !(spacing > 0)) {
@@ -220,9 +217,6 @@ geometry::Outcome<Multisphere> fill(const geometry::Polyhedron& surface, double 
     for (const Vec3& v : surface.vertices) {
         low = min(low, v);
         high = max(high, v);
-    }
-    if (is_section) {
-        low.z = high.z = 0.5 * (low.z + high.z);
     }
     std::array<std::int64_t, 3> count{};
     Vec3 first{};
@@ -260,22 +254,12 @@ geometry::Outcome<Multisphere> fill(const geometry::Polyhedron& surface, double 
     each([&](auto i, auto j, auto k) { inside[number_of(i, j, k)] = is_inside(surface, place(i, j, k)) ? 1 : 0; });
     each([&](auto i, auto j, auto k) {
         const bool is_deep = has(i - 1, j, k) && has(i + 1, j, k) && has(i, j - 1, k) && has(i, j + 1, k) &&
-                             (is_section || (has(i, j, k - 1) && has(i, j, k + 1)));
+                             has(i, j, k - 1) && has(i, j, k + 1);
         if (has(i, j, k) && !is_deep) {
             shape.spheres.push_back({place(i, j, k), 0.5 * spacing, {}});
         }
     });
     return checked(std::move(shape));
-}
-
-}  // namespace
-
-geometry::Outcome<Multisphere> fill_surface(const geometry::Polyhedron& surface, double spacing) {
-    return fill(surface, spacing, false);
-}
-
-geometry::Outcome<Multisphere> fill_section(const geometry::Polyhedron& prism, double spacing) {
-    return fill(prism, spacing, true);
 }
 
 geometry::Outcome<Multisphere> read_sphere_list(const std::string& text, const std::string& name) {

@@ -59,12 +59,6 @@ geometry::Outcome<Multisphere> ring(double outer_radius, double sphere_radius, i
 /// @param spacing  of the lattice; the spheres have half of it as radius [m]
 geometry::Outcome<Multisphere> fill_surface(const geometry::Polyhedron& surface, double spacing);
 
-/// Discs on a square lattice inside the section z = 0 of a planar body, a prism about it; those with all four lattice
-/// neighbours left out. As fill_surface otherwise.
-/// @param prism    closed, outward faces
-/// @param spacing  of the lattice; the discs have half of it as radius [m]
-geometry::Outcome<Multisphere> fill_section(const geometry::Polyhedron& prism, double spacing);
-
 /// Reads lines `x y z radius` [m] separated by blanks or commas; `#` begins a comment.
 /// @param name  of the file, for messages
 geometry::Outcome<Multisphere> read_sphere_list(const std::string& text, const std::string& name);

@@ -28,11 +28,4 @@ struct ElasticFoot {
 /// 0.1 to 0.4 m by 0.5 m (tests). Joints above the foot lean too and take some more.
 double tipping_slope(const ElasticFoot& foot);
 
-/// Horizontal acceleration of a level base over gravity at which it tips [-]: the same with N = W, and with the
-/// acceleration over gravity for tan(slope).
-double tipping_acceleration(const ElasticFoot& foot);
-
-/// Tilt of the block against its base on the slope at that moment, 2 N/(9 K l x^2) [rad].
-double tipping_tilt(const ElasticFoot& foot);
-
 }  // namespace riprap::contact

@@ -55,7 +55,6 @@ class Multigrid {
     /// Returns M r in single precision, without the factor that `factor` is set to.
     /// @param size  of r, so that r over it fits single precision: its norm, say
     const std::vector<float>& apply(const std::vector<double>& r, double size, double& factor);
-    int level_count() const { return static_cast<int>(level_count_); }
     std::size_t bytes() const;
 
  private:
@@ -105,9 +104,6 @@ class PoissonSolver {
     Multigrid multigrid_;
     Work work_;
 };
-
-/// y = A x.
-void apply_operator(const FaceConductance& a, const std::vector<double>& x, std::vector<double>& y);
 
 /// Dot product over the cells of the box (not its pads), in a fixed order.
 double dot_cells(const CellBox& box, const std::vector<double>& x, const std::vector<double>& y);

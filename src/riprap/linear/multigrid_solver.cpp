@@ -56,10 +56,6 @@ double dot_cells(const CellBox& box, const std::vector<double>& x, const std::ve
     });
 }
 
-void apply_operator(const FaceConductance& a, const std::vector<double>& x, std::vector<double>& y) {
-    for_rows(a.box, [&](std::int64_t start, std::int64_t) { apply_row(a, x.data() + start, y.data() + start, start); });
-}
-
 void PoissonSolver::set_operator(const FaceConductance& a) { multigrid_.build(a); }
 
 PoissonReport PoissonSolver::solve(const FaceConductance& a, const std::vector<double>& b, std::vector<double>& p,

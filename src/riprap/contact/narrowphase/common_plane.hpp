@@ -56,11 +56,6 @@ CommonPlane common_plane_exact(const PlacedHull& a, const PlacedHull& b);
 /// @param start  first direction, of any length; zero = between the centres
 CommonPlane common_plane_fast(const PlacedHull& a, const PlacedHull& b, const Vec3& start);
 
-/// The common plane by Cundall's search as [Ding2021, eqs. 4.50-4.52] describes it: turns the normal by atan K in four
-/// directions, keeps what widens the gap, halves K from tan 5 degrees down to tan 0.01 degrees. Exact to about the last
-/// angle times the size of the contact; kept for comparison.
-CommonPlane common_plane_search(const PlacedHull& a, const PlacedHull& b);
-
 /// The common plane that contact uses: from the feature of the last step where there is one, else fast, with the exact
 /// search where the fast one is not certain: where the touching features do not face each other, and for an overlap
 /// without a memory. The old feature is kept while its gap is within 1e-6 of the smaller body's size of the best, so

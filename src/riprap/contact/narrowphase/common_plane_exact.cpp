@@ -152,40 +152,4 @@ CommonPlane common_plane_exact(const PlacedHull& a, const PlacedHull& b) {
     return best.gap > 0 ? plane_of_link(a, b, best) : best;
 }
 
-CommonPlane common_plane_search(const PlacedHull& a, const PlacedHull& b) {
-    if (a.is_half_space() || b.is_half_space()) {
-        return common_plane_fast(a, b, {});
-    }
-    constexpr double degree = M_PI / 180;
-    Vec3 n = normalized(b.centre - a.centre);
-    double gap = plane_gap(a, b, n);
-    int pass = 0;
-    for (double k = std::tan(5 * degree); k > std::tan(0.01 * degree);) {
-        Vec3 p = normalized(cross(n, std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-        Vec3 q = cross(n, p);
-        if (pass++ % 2 == 1) {
-            const Vec3 old = p;
-            p = normalized(p + q);
-            q = normalized(q - old);
-        }
-        Vec3 best = n;
-        double best_gap = gap;
-        for (const Vec3& step : {p, -p, q, -q}) {
-            const Vec3 turned = normalized(n + k * step);
-            const double turned_gap = plane_gap(a, b, turned);
-            if (turned_gap > best_gap) {
-                best = turned;
-                best_gap = turned_gap;
-            }
-        }
-        if (best_gap > gap) {
-            n = best;
-            gap = best_gap;
-        } else if (pass % 2 == 0) {
-            k /= 2;
-        }
-    }
-    return {n, gap, {PlaneKind::link, -1, -1}, false};
-}
-
 }  // namespace riprap::contact

@@ -93,8 +93,7 @@ double net_outflow(const CellBox& box, const std::array<std::vector<double>, 3>&
     return sum;
 }
 
-/// Lends the solver memory that nothing reads from the prediction on until it is filled anew. The carrier along the
-/// first axis stays for water_through.
+/// Lends the solver memory that nothing reads from the prediction on until it is filled anew.
 class LentMemory {
  public:
     explicit LentMemory(GridScratch& scratch) : s_(scratch) { exchange(); }

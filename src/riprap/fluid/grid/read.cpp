@@ -71,41 +71,6 @@ Vec3 read_velocity(const GridSettings& settings, const GridState& state, const V
     return velocity;
 }
 
-double read_level(const GridSettings& settings, const GridState& state, const Vec3& place, int up) {
-    const Mesh& mesh = settings.mesh;
-    std::array<int, 3> cell{};
-    for (int a = 0; a < 3; ++a) {
-        cell[at(a)] = mesh.cell_at(a, place[a]);
-    }
-    double sum = 0;
-    for (int i = 0; i < mesh.box.cells[at(up)]; ++i) {
-        cell[at(up)] = i;
-        sum += state.fraction[at(mesh.box.index(cell[0], cell[1], cell[2]))] * mesh.h(up, i);
-    }
-    return sum;
-}
-
-double read_front(const GridSettings& settings, const GridState& state, const Vec3& place, int axis) {
-    const Mesh& mesh = settings.mesh;
-    std::array<int, 3> cell{};
-    for (int a = 0; a < 3; ++a) {
-        cell[at(a)] = mesh.cell_at(a, place[a]);
-    }
-    const auto fraction = [&](int i) {
-        cell[at(axis)] = i;
-        return state.fraction[at(mesh.box.index(cell[0], cell[1], cell[2]))];
-    };
-    for (int i = mesh.box.cells[at(axis)] - 1; i >= 0; --i) {
-        const double here = fraction(i);
-        if (here >= 0.5) {
-            const double next = i + 1 < mesh.box.cells[at(axis)] ? fraction(i + 1) : here;
-            const double share = here > next ? (here - 0.5) / (here - next) : 0.5;
-            return mesh.centre(axis, i) + share * mesh.d(axis, i + 1);
-        }
-    }
-    return mesh.edge[at(axis)].front();
-}
-
 namespace {
 
 /// First moment of the water in a mixed cell about its centre, over its volume [m].

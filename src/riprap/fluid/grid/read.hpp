@@ -14,13 +14,6 @@ double read_pressure(const GridSettings& settings, const GridState& state, const
 /// Velocity at a place, linear between faces [m/s].
 Vec3 read_velocity(const GridSettings& settings, const GridState& state, const Vec3& place);
 
-/// Height of water in the column of cells along an axis through a place, integral of the fraction [m]; porosity does
-/// not enter.
-double read_level(const GridSettings& settings, const GridState& state, const Vec3& place, int up);
-
-/// Farthest place along an axis that the fraction 1/2 reaches in the row of cells through a place [m].
-double read_front(const GridSettings& settings, const GridState& state, const Vec3& place, int axis);
-
 /// Kinetic energy of water and air [J] and the first moment of their mass, sum m x [kg m].
 struct Energy {
     double kinetic{0};

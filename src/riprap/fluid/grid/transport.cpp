@@ -83,12 +83,6 @@ void find_mass_fluxes(const GridSettings& settings, GridScratch& s) {
     }
 }
 
-double water_through(const GridSettings& settings, const GridScratch& s, std::int64_t face, double dt) {
-    const double water = settings.water.density, air = settings.has_surface ? settings.air.density : 0;
-    const double speed = s.start.carrier[0][at(face)], volume = speed * s.room.area[0][at(face)] * dt;
-    return (s.inertia.mass_flux[0][at(face)] - air * volume) / (water - air);
-}
-
 void carry_row(const GridSettings& settings, const GridScratch& s, const std::vector<double>& u, int a,
                bool is_midpoint, std::int64_t start, int n, const std::array<int, 3>& place, double* moved) {
     const CellBox& box = settings.mesh.box;

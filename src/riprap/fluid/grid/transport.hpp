@@ -10,10 +10,6 @@ namespace riprap::fluid::grid {
 /// step, of water and air [kg].
 void find_mass_fluxes(const GridSettings& settings, GridScratch& scratch);
 
-/// Water that went through a face across the first axis in the last step of dt, along that axis; with one pressure a
-/// pass, whose carrier is still there [m^3].
-double water_through(const GridSettings& settings, const GridScratch& scratch, std::int64_t face, double dt);
-
 /// Pore velocity of a row of velocity cells after the transport alone, into `moved`:
 ///
 ///     m_after u = m_before u_start + sum of fluxes, each the mass through a face times the velocity it takes along.

@@ -76,15 +76,6 @@ Side wave_side(const Mesh& mesh, int side, int up, double bed, double depth, Inc
     return result;
 }
 
-Side absorbing_side(const Mesh& mesh, int side, int up, double bed, double depth) {
-    return wave_side(mesh, side, up, bed, depth,
-                     {[](double) { return 0.0; },
-                      [](double, double) {
-                          return wave::WaveVelocity{0, 0};
-                      }},
-                     true);
-}
-
 IncomingWaves waves_of(const wave::SteadyWave& wave, double crest_time) {
     return {[wave, crest_time](double time) { return wave.elevation(wave.celerity * (crest_time - time)); },
             [wave, crest_time](double above_bed, double time) {

@@ -20,9 +20,6 @@ struct IncomingWaves {
 /// @param depth  of still water [m]
 Side wave_side(const Mesh& mesh, int side, int up, double bed, double depth, IncomingWaves waves, bool absorbs);
 
-/// A side that lets long waves out and nothing in.
-Side absorbing_side(const Mesh& mesh, int side, int up, double bed, double depth);
-
 /// A steady wave whose crest passes the side at `crest_time` [s].
 IncomingWaves waves_of(const wave::SteadyWave& wave, double crest_time);
 

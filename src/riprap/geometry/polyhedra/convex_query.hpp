@@ -52,29 +52,6 @@ RIPRAP_HD inline std::int32_t support_vertex(const ConvexView& shape, const Vec3
     return best;
 }
 
-/// Finds the support vertex by hill climbing from `start` along edges (vertex_neighbours): about the square root of
-/// vertex_count steps, few when `start` was the answer a moment ago. Worth it from some 50 vertices. On a flat top it
-/// may stop at another vertex, no lower than by round-off.
-/// @param neighbour_start, neighbour  the arrays of VertexNeighbours
-RIPRAP_HD inline std::int32_t support_vertex(const ConvexView& shape, const std::int32_t* neighbour_start,
-                                             const std::int32_t* neighbour, const Vec3& direction, std::int32_t start) {
-    std::int32_t best = start;
-    double most = dot(direction, shape.vertex(best));
-    for (bool has_climbed = true; has_climbed;) {
-        has_climbed = false;
-        const std::int32_t from = best;
-        for (std::int32_t k = neighbour_start[from]; k < neighbour_start[from + 1]; ++k) {
-            const double along = dot(direction, shape.vertex(neighbour[k]));
-            if (along > most) {
-                most = along;
-                best = neighbour[k];
-                has_climbed = true;
-            }
-        }
-    }
-    return best;
-}
-
 /// The point of a surface nearest to a given point.
 struct SurfacePoint {
     Vec3 point;         ///< [m]

@@ -226,18 +226,4 @@ Outcome<HalfEdgeMesh> half_edges(const Polyhedron& polyhedron) {
     return mesh;
 }
 
-VertexNeighbours vertex_neighbours(const HalfEdgeMesh& mesh) {
-    VertexNeighbours result;
-    result.start.reserve(mesh.vertex_edge.size() + 1);
-    result.neighbour.reserve(mesh.vertex.size());
-    for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
-        const auto begin = static_cast<std::ptrdiff_t>(result.neighbour.size());
-        result.start.push_back(static_cast<std::int32_t>(begin));
-        mesh.for_each_outgoing(v, [&](std::int32_t e) { result.neighbour.push_back(mesh.end(e)); });
-        std::sort(result.neighbour.begin() + begin, result.neighbour.end());
-    }
-    result.start.push_back(static_cast<std::int32_t>(result.neighbour.size()));
-    return result;
-}
-
 }  // namespace riprap::geometry

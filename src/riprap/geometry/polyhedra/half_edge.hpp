@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "riprap/geometry/polyhedra/outcome.hpp"
@@ -62,18 +61,5 @@ inline constexpr double planarity_tolerance = 1e-9;
 /// (V - E + F not 2). At most problem_limit problems are listed, then their total.
 Outcome<HalfEdgeMesh> half_edges(const Polyhedron& polyhedron);
 inline constexpr std::size_t problem_limit = 20;
-
-/// Neighbours along edges of every vertex, in ascending order: those of vertex v are neighbour[start[v]] up to
-/// neighbour[start[v + 1]]. For hill climbing (support_vertex).
-struct VertexNeighbours {
-    std::vector<std::int32_t> start;      ///< vertex_count + 1 entries
-    std::vector<std::int32_t> neighbour;  ///< twice the number of edges
-    std::span<const std::int32_t> of(std::int32_t v) const {
-        const auto i = static_cast<std::size_t>(v);
-        return std::span(neighbour).subspan(static_cast<std::size_t>(start[i]),
-                                            static_cast<std::size_t>(start[i + 1] - start[i]));
-    }
-};
-VertexNeighbours vertex_neighbours(const HalfEdgeMesh& mesh);
 
 }  // namespace riprap::geometry

@@ -7,7 +7,7 @@ namespace riprap::run {
 
 /// Build of the program.
 struct BuildInfo {
-    std::string version;     ///< "0.2.0"
+    std::string version;     ///< "0.3.0"
     std::string commit;      ///< of the sources, "+" behind it where they were changed; empty = not known
     std::string compiler;    ///< "GNU 12.2.0"
     std::string build_type;  ///< "Release"

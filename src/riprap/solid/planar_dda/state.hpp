@@ -92,19 +92,6 @@ inline void clear_contacts(State& state) {
     std::apply([](auto&... list) { (list.clear(), ...); }, contact_lists(state));
 }
 
-/// Forgets the contacts that is_dropped(place in the list) tells.
-template <class IsDropped>
-void drop_contacts(State& state, const IsDropped& is_dropped) {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < state.contact_corner.size(); ++k) {
-        if (!is_dropped(k)) {
-            std::apply([k, kept](auto&... list) { ((list[kept] = list[k]), ...); }, contact_lists(state));
-            ++kept;
-        }
-    }
-    std::apply([kept](auto&... list) { (list.resize(kept), ...); }, contact_lists(state));
-}
-
 /// Offset from the centroid of a point with the offset X in the reference shape: R U X [m].
 Vec2 offset_of(const State& state, std::int32_t block, const Vec2& local);
 /// Place of a point with the offset X in the reference shape [m].

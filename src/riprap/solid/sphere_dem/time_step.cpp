@@ -107,11 +107,6 @@ Least lesser(const Least& a, const Least& b) { return b.value < a.value ? b : a;
 
 }  // namespace
 
-double rayleigh_time(double radius, double density, double youngs_modulus, double poisson_ratio) {
-    const double shear_modulus = youngs_modulus / (2 * (1 + poisson_ratio));
-    return M_PI * radius * std::sqrt(density / shear_modulus) / (0.1631 * poisson_ratio + 0.8766);
-}
-
 double fastest_point(const SphereModel& model, const body::BodyState& state) {
     const auto speed_of = [&](std::int64_t i) {
         const BodyId body{static_cast<std::int32_t>(i)};

@@ -7,10 +7,6 @@
 
 namespace riprap::solid::sphere_dem {
 
-/// Time that a Rayleigh wave takes across a sphere [s]: pi R sqrt(rho/G)/(0.1631 nu + 0.8766), G = E/(2 (1 + nu))
-/// [Thornton2015]. With R = 5 mm, 2500 kg/m^3, 5 MPa and nu = 0.3 it is 0.6119 ms.
-double rayleigh_time(double radius, double density, double youngs_modulus, double poisson_ratio);
-
 /// Highest speed of a point that may strike another one [m/s]: that of the centre of a ball, whose spin brings nothing
 /// nearer, else of the farthest point of a body. A rod that turns about its centre strikes with its ends.
 double fastest_point(const SphereModel& model, const body::BodyState& state);
