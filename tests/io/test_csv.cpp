@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "io/temporary_folder.hpp"
 #include "riprap/io/csv.hpp"
@@ -88,7 +89,17 @@ TEST(GrowingCsv, AShortenedOrForeignFileIsNotContinued) {
     const TemporaryFolder folder;
     { GrowingCsv csv(folder / "p.csv", columns); }
     EXPECT_THROW(GrowingCsv(folder / "p.csv", columns, 1000), FileError);
-    EXPECT_THROW(GrowingCsv(folder / "missing.csv", columns, 30), FileError);
+    std::filesystem::create_directory(folder / "folder.csv");
+    for (const auto& [name, why] :
+         {std::pair{"missing.csv", "missing"}, std::pair{"folder.csv", "not a regular file"}}) {
+        try {
+            GrowingCsv(folder / name, columns, 30);
+            ADD_FAILURE() << name << " is continued";
+        } catch (const FileError& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr(std::string("it is ") + why +
+                                                         "; put the file back or start again with --force"));
+        }
+    }
     write_file(folder / "other.csv", std::string(200, 'x'));
     EXPECT_THROW(GrowingCsv(folder / "other.csv", columns, 100), FileError);
     EXPECT_EQ(text_of(folder / "other.csv").size(), 200U);

@@ -95,8 +95,24 @@ GrowingCsv::GrowingCsv(std::filesystem::path path, std::span<const CsvColumn> co
     flush(false);
 }
 
+namespace {
+
+FileDescriptor open_to_continue(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::file_type type = std::filesystem::symlink_status(path, error).type();
+    if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::symlink) {
+        const bool is_missing = type == std::filesystem::file_type::not_found;
+        throw FileError("cannot continue '" + path.string() +
+                        (is_missing ? "': it is missing" : "': it is not a regular file") +
+                        "; put the file back or start again with --force");
+    }
+    return open_own(path, O_RDWR);
+}
+
+}  // namespace
+
 GrowingCsv::GrowingCsv(std::filesystem::path path, std::span<const CsvColumn> columns, std::uint64_t bytes)
-    : path_(std::move(path)), file_(open_own(path_, O_RDWR)), written_(bytes) {
+    : path_(std::move(path)), file_(open_to_continue(path_)), written_(bytes) {
     struct stat status {};
     if (::fstat(file_.number(), &status) != 0) {
         throw file_error("continue", path_, errno);
