@@ -224,8 +224,9 @@ TEST(BodiesThroughBodies, ADiscThatIsSqueezedThroughASlotEndsTheRunInItsMouth) {
                 EXPECT_GT(height, 0.05) << shape << ' ' << width << ' ' << speed;
             }
         }
+        const double speed = shape == "sphere = 0.1" ? 11 : 8;  // a disc's own contact throws it back at 8
         EXPECT_THAT(
-            end_of(round_over_slot(shape, 0.9, 20, 0.06)).reason,
+            end_of(round_over_slot(shape, 0.9, speed, 1.2 / speed)).reason,
             AllOf(HasSubstr("b is squeezed through between l and r"), HasSubstr("no gap narrower than itself")));
         // One that fits goes through, and a slow one stays in the mouth.
         const End through = end_of(round_over_slot(shape, 1.01, 8, 0.15));
