@@ -72,6 +72,14 @@ TEST_F(HandOn, DamagedRunFoldersAreRefused) {
     EXPECT_EQ(run({"run", out("first"), "--out", out("first"), "--force"}).code, 5);  // over its own case
     write_file("first/run.json", "{\"set\": 3}");
     EXPECT_EQ(run({"run", out("first"), "--out", out("second")}).code, 5);
+    const std::string hash = summary_of("first").at("state_hash");
+    const Ending damaged = run({"resume", out("first")});
+    EXPECT_EQ(damaged.code, 5);
+    EXPECT_THAT(damaged.err, AllOf(HasSubstr("is damaged"), HasSubstr("copy 'resolved.toml'")));
+    std::filesystem::copy(in("first", "resolved.toml"), in("first", "case/resolved.toml"));
+    EXPECT_EQ(run({"run", in("first", "case/resolved.toml"), "--out", out("third")}).code,
+              0);  // the remedy of the message
+    EXPECT_EQ(summary_of("third").at("state_hash"), hash);
     std::filesystem::remove(in("first", "case/case.toml"));
     const Ending lost = run({"run", out("first"), "--out", out("second")});
     EXPECT_EQ(lost.code, 5);

@@ -203,7 +203,9 @@ scene::LoadedCase load_stored_case(const RunFolder& folder) {
         const auto ticket = nlohmann::json::parse(io::read_file(folder.ticket(), ticket_limit));
         overrides = ticket.at("set").get<std::vector<std::string>>();
     } catch (const nlohmann::json::exception& error) {
-        throw FileError("'" + folder.ticket().string() + "' is damaged: " + error.what());
+        throw FileError("'" + folder.ticket().string() + "' is damaged: " + error.what() +
+                        "; put the file back, or copy 'resolved.toml', which has all values, into '" +
+                        folder.case_file().parent_path().string() + "' and run it there with another --out");
     }
     return scene::read_case(folder.case_file().string(), overrides);
 }
