@@ -92,7 +92,9 @@ def strengths_of(entry, strengths):
             return ""
         if cited is None:
             return "not known"  # of a case that had other answers
-        return next((line["of"] for line in strengths if any(re.search(what, cited) for what in line["cites"])), "exact")
+        fits = [line["of"] for line in strengths if any(re.search(what, row["quantity"]) for what in line.get("rows", []))]
+        fits += [line["of"] for line in strengths if any(re.search(what, cited) for what in line["cites"])]
+        return next(iter(fits), "exact")
     return [strength(row) for row in entry["rows"]]
 
 
