@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
@@ -180,8 +181,8 @@ view::Plot as_asked(view::Plot plot, const PlotOptions& options, std::size_t cou
     take(plot.x.label, options.x_label);
     take(plot.y.label, options.y_label);
     if (options.width > 0) {
-        plot.width = options.width / inch * view::svg_dpi;
-        plot.height = options.height / inch * view::svg_dpi;
+        plot.width = std::round(options.width / inch * view::svg_dpi);
+        plot.height = std::round(options.height / inch * view::svg_dpi);
     }
     return plot;
 }

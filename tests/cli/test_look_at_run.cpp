@@ -44,8 +44,8 @@ TEST_F(Looking, APlotIsNotWrittenUnderTheNameOfAnotherFormat) {
 
 TEST_F(Looking, APlotHasTheSizeAndTheWordsThatAreAskedFor) {
     have_run();
-    ASSERT_EQ(plot({"--column", "lone.position.x", "--size", "127x76.2", "--title", "T", "--x-label", "t / s",
-                    "--y-label", "x / m"})
+    ASSERT_EQ(plot({"--column", "max_speed", "--size", "127x76.2", "--title", "T", "--x-label", "t / s", "--y-label",
+                    "x / m"})
                   .code,
               0);
     const std::string svg = text_of(out("plot.svg"));
