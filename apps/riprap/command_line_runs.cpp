@@ -138,6 +138,18 @@ void add_surface(CLI::App& app, Action& action) {
     });
 }
 
+/// Reads the size of a chart [mm].
+void read_figure_size(const std::string& text, PlotOptions& options) {
+    constexpr double least = 50, most = 1000;
+    char* end = nullptr;
+    const double width = std::strtod(text.c_str(), &end), height = *end == 'x' ? std::strtod(end + 1, &end) : 0;
+    if (*end != '\0' || !(width >= least && width <= most && height >= least && height <= most)) {
+        throw CLI::ValidationError("--size", "WIDTHxHEIGHT in millimetres, 50 to 1000 each, such as 160x90");
+    }
+    options.width = width;
+    options.height = height;
+}
+
 void add_plot(CLI::App& app, Action& action) {
     auto options = std::make_shared<PlotOptions>();
     CLI::App* command = app.add_subcommand("plot", "Draw curves over time from the tables of a run");
@@ -150,9 +162,19 @@ void add_plot(CLI::App& app, Action& action) {
                      "else energies)")
         ->type_name("NAME")
         ->allow_extra_args(false);
-    command->add_option("--out", options->out, "The plot, SVG or PNG (default: RUN/plot.svg)");
+    command->add_option("--out", options->out, "The plot, SVG, PNG or PDF (default: RUN/plot.svg)");
+    command
+        ->add_option_function<std::string>(
+            "--size", [options](const std::string& text) { read_figure_size(text, *options); },
+            "WIDTHxHEIGHT of each chart [mm]; letters keep their size")
+        ->type_name("WxH");
+    command->add_option("--dpi", options->dpi, "Pixels in an inch of a PNG (default: 192)")
+        ->check(CLI::Range(48.0, 1200.0));
+    command->add_option("--title", options->title, "Instead of the title of the case");
+    command->add_option("--x-label", options->x_label, "Instead of 'time [s]'");
+    command->add_option("--y-label", options->y_label, "Instead of the name and unit of the columns");
     command->callback([&action, options] {
-        require_extension(options->out, {".svg", ".png"});
+        require_extension(options->out, {".svg", ".png", ".pdf"});
         action = [options] { return plot_run(*options); };
     });
 }

@@ -67,9 +67,12 @@ int gather_ensemble(const std::filesystem::path& out, bool is_quiet);
 int print_render(const view::RenderOptions& options);
 
 struct PlotOptions {
-    std::filesystem::path folder;      ///< of the run
-    std::vector<std::string> columns;  ///< of its tables; empty: gauges and bodies, else energies
-    std::filesystem::path out;         ///< SVG, or PNG by its name; empty: plot.svg in the folder of the run
+    std::filesystem::path folder;         ///< of the run
+    std::vector<std::string> columns;     ///< of its tables; empty: gauges and bodies, else energies
+    std::filesystem::path out;            ///< SVG, PNG or PDF by its name; empty: plot.svg in the folder of the run
+    double width{0}, height{0};           ///< of each chart [mm]; 0: as it is usual
+    double dpi{192};                      ///< of a PNG
+    std::string title, x_label, y_label;  ///< in place of what the run and its columns say
 };
 
 /// Curves over time from the tables of a run.

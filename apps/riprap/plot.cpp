@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cmath>
 
 #include "commands.hpp"
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
-#include "riprap/io/atomic_file.hpp"
 #include "riprap/io/csv_reader.hpp"
 #include "riprap/scene/text/suggest.hpp"
 #include "riprap/view/bad_request.hpp"
-#include "riprap/view/browser.hpp"
+#include "riprap/view/figure.hpp"
 #include "riprap/view/plot_svg.hpp"
 #include "riprap/view/read_run.hpp"
 
@@ -21,7 +20,6 @@ namespace riprap {
 namespace {
 
 constexpr std::size_t plotted_rows = 4000;  // more cannot be told apart on paper
-constexpr int png_width = 960, png_height = 640;
 
 /// A column of one of the tables of a run.
 struct Source {
@@ -125,12 +123,6 @@ std::vector<std::vector<Source>> by_unit(const std::vector<Source>& sources) {
     return panels;
 }
 
-/// The number of an attribute of the root element of an SVG.
-double attribute_of(const std::string& svg, const std::string& name) {
-    const std::size_t at = svg.find(fmt::format("{}='", name), svg.find("<svg"));
-    return at == std::string::npos ? 0 : std::atof(svg.c_str() + at + name.size() + 2);
-}
-
 /// Plots below each other as one.
 std::string stacked(const std::vector<std::string>& panels) {
     if (panels.size() == 1) {
@@ -139,8 +131,8 @@ std::string stacked(const std::vector<std::string>& panels) {
     double width = 0, height = 0;
     std::string inside;
     for (std::string panel : panels) {
-        width = std::max(width, attribute_of(panel, "width"));
-        const double own = attribute_of(panel, "height");
+        width = std::max(width, view::svg_number(panel, "width"));
+        const double own = view::svg_number(panel, "height");
         panel.erase(0, panel.find("<svg"));
         inside += panel.insert(4, fmt::format(" y='{}'", height));
         height += own;
@@ -176,16 +168,23 @@ view::Plot plot_of(const view::RecordedRun& run, const std::vector<Source>& sour
     return plot;
 }
 
-/// An SVG drawn by the browser that also draws the scenes.
-std::string png_of(const std::string& svg) {
-    const view::ScratchFolder scratch;
-    const std::filesystem::path page = scratch.path() / "plot.html";
-    io::write_file(
-        page, "<!doctype html><html data-opened=\"1\"><style>*{margin:0}svg{width:100vw;height:100vh}</style>" + svg,
-        io::Durability::later);
-    view::Browser browser(view::find_browser(), png_width, png_height);
-    browser.open(page);
-    return browser.picture();
+/// The chart as the user wants it: size, words. @throws BadRequest where one word would stand for several
+view::Plot as_asked(view::Plot plot, const PlotOptions& options, std::size_t count) {
+    constexpr double inch = 25.4;  // [mm]
+    if (!options.y_label.empty() && count > 1) {
+        throw view::BadRequest(fmt::format(
+            "--y-label names one axis, and columns of {} units have one each; plot those of one unit", count));
+    }
+    const auto take = [](std::string& word, const std::string& asked) { word = asked.empty() ? word : asked; };
+    plot.subtitle = options.title.empty() ? plot.subtitle : "";
+    take(plot.title, options.title);
+    take(plot.x.label, options.x_label);
+    take(plot.y.label, options.y_label);
+    if (options.width > 0) {
+        plot.width = std::round(options.width / inch * view::svg_dpi);
+        plot.height = std::round(options.height / inch * view::svg_dpi);
+    }
+    return plot;
 }
 
 }  // namespace
@@ -199,12 +198,13 @@ int plot_run(const PlotOptions& options) {
     const std::vector<Source> sources = is_asked ? choose(run, options.columns) : usual(run);
     const bool is_change = !is_asked && sources.front().table == &run.ledger;
     std::vector<std::string> panels;
-    for (const std::vector<Source>& panel : by_unit(sources)) {
-        panels.push_back(view::to_svg(plot_of(run, panel, is_change)));
+    const std::vector<std::vector<Source>> groups = by_unit(sources);
+    for (const std::vector<Source>& group : groups) {
+        panels.push_back(view::to_svg(as_asked(plot_of(run, group, is_change), options, groups.size())));
     }
     const std::string svg = stacked(panels);
     const std::filesystem::path out = options.out.empty() ? options.folder / "plot.svg" : options.out;
-    io::write_file(out, out.extension() == ".png" ? png_of(svg) : svg);
+    view::write_figure(out, svg, options.dpi);
     fmt::print("{}{}\n", out.string(),
                is_asked ? "" : "; --column NAME draws another column, more of them where it is repeated");
     return 0;

@@ -182,6 +182,19 @@ test('render draws a picture of the asked size that is not empty', async () => {
   assert.ok(seen[2] > 0.15, `${seen[2]} of the picture is drawn`);
 });
 
+test('a plot is a PNG of the asked size that tells its resolution, or a PDF of one sheet', () => {
+  const out = name => join(stage.folder, name), plot = (...words) => riprap(['plot', run, '--column', 'fluid.kinetic', ...words]);
+  assert.equal(plot('--size', '127x76.2', '--dpi', '144', '--out', out('plot.png')).status, 0);
+  const png = readFileSync(out('plot.png')), at = png.indexOf('pHYs');
+  assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [720, 432]);
+  assert.deepEqual([png.readUInt32BE(at + 4), png.readUInt32BE(at + 8), png[at + 12]], [5669, 5669, 1]);
+  assert.equal(plot('--size', '127x76.2', '--out', out('plot.pdf')).status, 0);
+  const pdf = readFileSync(out('plot.pdf'), 'latin1');
+  assert.match(pdf, /^%PDF-/);
+  assert.match(pdf, /\/MediaBox \[0 0 360(\.\d+)? 216(\.\d+)?\]/);  // points: five inches by three
+  assert.equal(plot('--size', '1000x1000', '--dpi', '1200', '--out', out('large.png')).status, 5);
+});
+
 test('a frame that is not there, a browser that is not there, a run that is none: each is told', () => {
   const there = riprap(['render', run, '--frame', '99']);
   assert.equal(there.status, 5);
@@ -192,10 +205,10 @@ test('a frame that is not there, a browser that is not there, a run that is none
   const ended = riprap(['render', run], {env: {...process.env, RIPRAP_CHROMIUM: '/bin/false'}, timeout: 30_000});
   assert.equal(ended.status, 5);
   assert.match(ended.stderr, /ended with exit code 1, saying nothing/);
-  for (const args of [['render', '--out', 'x.jpg'], ['render', '--movie', '--out', 'x.gif'], ['plot', '--out', 'x.pdf']]) {
+  for (const args of [['render', '--out', 'x.jpg'], ['render', '--movie', '--out', 'x.gif'], ['plot', '--out', 'x.jpg']]) {
     const {status, stderr} = riprap([args[0], run, ...args.slice(1)]);
     assert.equal(status, 2);
-    assert.match(stderr, /must end in \.(png|mp4|svg or \.png)/);
+    assert.match(stderr, /must end in \.(png|mp4|svg)/);
   }
   const without = riprap(['render', run], {env: {...process.env, PATH: '/nonexistent', RIPRAP_CHROMIUM: ''}});
   assert.equal(without.status, 5);

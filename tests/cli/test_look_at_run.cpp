@@ -36,10 +36,27 @@ TEST_F(Looking, AReportIsWrittenBesideTheTableAndNotInsteadOfIt) {
 
 TEST_F(Looking, APlotIsNotWrittenUnderTheNameOfAnotherFormat) {
     have_run();
-    const Ending ending = run({"plot", out("run"), "--out", out("plot.pdf")});
+    const Ending ending = run({"plot", out("run"), "--out", out("plot.jpg")});
     EXPECT_EQ(ending.code, 2);
-    EXPECT_THAT(ending.err, HasSubstr("must end in .svg or .png"));
-    EXPECT_FALSE(std::filesystem::exists(out("plot.pdf")));
+    EXPECT_THAT(ending.err, HasSubstr("must end in .svg"));
+    EXPECT_FALSE(std::filesystem::exists(out("plot.jpg")));
+}
+
+TEST_F(Looking, APlotHasTheSizeAndTheWordsThatAreAskedFor) {
+    have_run();
+    ASSERT_EQ(plot({"--column", "max_speed", "--size", "127x76.2", "--title", "T", "--x-label", "t / s", "--y-label",
+                    "x / m"})
+                  .code,
+              0);
+    const std::string svg = text_of(out("plot.svg"));
+    EXPECT_THAT(svg, HasSubstr("width='480' height='288'"));  // 127 mm are five inches of 96 px
+    for (const char* word : {">T<", ">t / s<", ">x / m<"}) {
+        EXPECT_THAT(svg, HasSubstr(word));
+    }
+    for (const char* size : {"", "100", "100x", "x100", "49x90", "100x1001", "100x90mm", "nanx90", "1e2x90x"}) {
+        EXPECT_EQ(plot({"--size", size}).code, 2) << size;
+    }
+    EXPECT_EQ(plot({"--dpi", "1"}).code, 2);
 }
 
 TEST_F(Looking, APageIsNotWrittenOverACase) {

@@ -63,8 +63,9 @@ double number_after(const std::string& text, const std::string& name) {
 TEST(PlotSvg, grows_until_every_name_in_the_legend_is_inside) {
     Plot plot = simple_plot();
     const double width = number_after(to_svg(plot), "width='"), height = number_after(to_svg(plot), "height='");
-    plot.curves[0].label = std::string(60, 'e');
-    EXPECT_NEAR(number_after(to_svg(plot), "width='"), width - 220 + 47 + 8.2 * 60 + 8, 1e-9);
+    EXPECT_EQ(width, plot.width);
+    plot.curves[0].label = std::string(120, 'e');
+    EXPECT_NEAR(number_after(to_svg(plot), "width='"), 84 + 120 + 47 + 8.2 * 120 + 8, 1e-9);
     for (int i = 0; i < 38; ++i) {
         plot.curves.push_back({"one more", {0, 1}, {0, 1}, CurveStyle::line, -1});
     }
@@ -72,6 +73,26 @@ TEST(PlotSvg, grows_until_every_name_in_the_legend_is_inside) {
     const double last = std::stod(svg.substr(svg.rfind(" y='") + 4));  // of the last name
     EXPECT_GT(last, height);
     EXPECT_GT(number_after(svg, "height='"), last + 5);
+}
+
+TEST(PlotSvg, has_the_size_that_is_asked_for_and_fewer_marks_where_it_is_small) {
+    Plot plot = simple_plot();
+    const auto marks = [&plot] {
+        const std::string svg = to_svg(plot);
+        std::size_t count = 0;
+        for (std::size_t at = svg.find("class='grid'"); at != std::string::npos;
+             at = svg.find("class='grid'", at + 1)) {
+            ++count;
+        }
+        return count;
+    };
+    const std::size_t usual = marks();
+    plot.title = plot.subtitle = "";
+    plot.width = 400;
+    plot.height = 240;
+    EXPECT_EQ(number_after(to_svg(plot), "width='"), 400);
+    EXPECT_EQ(number_after(to_svg(plot), "height='"), 240);
+    EXPECT_LT(marks(), usual);
 }
 
 TEST(PlotSvg, leaves_out_what_is_not_finite) {

@@ -140,7 +140,7 @@ ScratchFolder::~ScratchFolder() {
     fs::remove_all(path_, ignored);
 }
 
-Browser::Browser(const fs::path& program, int width, int height) {
+Browser::Browser(const fs::path& program, int width, int height, double scale) {
     // The sandbox refuses root, and needs what containers forbid. Without it the page is as safe: it is ours.
     const bool is_root = ::geteuid() == 0;
     try {
@@ -152,7 +152,7 @@ Browser::Browser(const fs::path& program, int width, int height) {
         start(program, width, height, false);
     }
     call("Emulation.setDeviceMetricsOverride",
-         {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
+         {{"width", width}, {"height", height}, {"deviceScaleFactor", scale}, {"mobile", false}});
 }
 
 void Browser::start(const fs::path& program, int width, int height, bool has_sandbox) {
@@ -302,6 +302,18 @@ void Browser::open(const fs::path& page) {
 
 std::string Browser::picture() {
     const Json answer = call("Page.captureScreenshot", Json::object({{"format", "png"}}));
+    return io::decode_base64(answer.at("data").get<std::string>());
+}
+
+std::string Browser::print(double width, double height) {
+    const Json answer = call("Page.printToPDF", Json::object({{"paperWidth", width},
+                                                              {"paperHeight", height},
+                                                              {"marginTop", 0},
+                                                              {"marginBottom", 0},
+                                                              {"marginLeft", 0},
+                                                              {"marginRight", 0},
+                                                              {"printBackground", true},
+                                                              {"pageRanges", "1"}}));
     return io::decode_base64(answer.at("data").get<std::string>());
 }
 

@@ -52,8 +52,9 @@ class ChildProcess {
 
 class Browser {
  public:
-    /// Starts it with a window of this size [pixels]. @throws FileError when it does not start
-    Browser(const std::filesystem::path& program, int width, int height);
+    /// Starts it with a window of this size [pixels of the page], each `scale` pixels of a picture wide.
+    /// @throws FileError when it does not start
+    Browser(const std::filesystem::path& program, int width, int height, double scale = 1);
     Browser(const Browser&) = delete;
     Browser& operator=(const Browser&) = delete;
     ~Browser() = default;  // its pipes close first: it leaves when it hears nothing more
@@ -66,6 +67,9 @@ class Browser {
 
     /// The window as PNG.
     std::string picture();
+
+    /// The page as PDF on one sheet of this size [inches], without margins: lines stay lines, and text stays text.
+    std::string print(double width, double height);
 
  private:
     void start(const std::filesystem::path& program, int width, int height, bool has_sandbox);

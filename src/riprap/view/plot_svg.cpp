@@ -14,11 +14,12 @@ namespace riprap::view {
 
 namespace {
 
-// The drawing, in pixels; it grows to the right and down where titles or the legend need it.
-constexpr double width = 820, height = 500;
-constexpr double left = 84, right = 220, top = 62, bottom = 58;  // margins; the legend stands on the right
-constexpr std::array<const char*, color_count> palette{"#1f5fa8", "#c8501e", "#2b8a4b", "#8a3fa0",
-                                                       "#b8860b", "#00808a", "#a02040", "#555555"};
+// Margins of the drawing [px]; the legend stands on the right, so its margin goes by the names of the curves.
+constexpr double left = 84, top = 62, bottom = 58, least_right = 24;
+constexpr double least_across = 120;  // of the area with the curves; a drawing that has less is made wider
+// The colours of Okabe and Ito, as the curves of pages have them (page/src/colours.js).
+constexpr std::array<const char*, color_count> palette{"#0072b2", "#e69f00", "#009e73", "#d55e00",
+                                                       "#cc79a7", "#56b4e9", "#b3a125", "#888888"};
 
 std::string escaped(const std::string& text) {
     std::string out;
@@ -39,6 +40,25 @@ std::string escaped(const std::string& text) {
     }
     return out;
 }
+
+/// Characters of a text in UTF-8.
+double length_of(const std::string& text) {
+    return static_cast<double>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// Room for the names of the curves, in full: letters of 13 px are some 8 px wide.
+double right_of(const Plot& plot) {
+    double right = least_right;
+    for (const Curve& curve : plot.curves) {
+        right = curve.label.empty() ? right : std::max(right, 47 + 8.2 * length_of(curve.label) + 8);
+    }
+    return right;
+}
+
+/// Right and lower edge of the area with the curves [px].
+double end_of_x(const Plot& plot) { return std::max(plot.width - right_of(plot), left + least_across); }
+double end_of_y(const Plot& plot) { return std::max(plot.height - bottom, top + least_across); }
 
 /// Maps values of one axis onto pixels.
 struct Scale {
@@ -78,8 +98,8 @@ Scale make_scale(const Plot& plot, bool is_x) {
         }
     }
     extent.widen(is_x && !axis.is_log ? 0.01 : 0.05);
-    return is_x ? Scale{extent.low, extent.high, left, width - right, axis.is_log}
-                : Scale{extent.low, extent.high, height - bottom, top, axis.is_log};
+    return is_x ? Scale{extent.low, extent.high, left, end_of_x(plot), axis.is_log}
+                : Scale{extent.low, extent.high, end_of_y(plot), top, axis.is_log};
 }
 
 /// Stretches the axis that has room to spare about its middle, until both have the same pixels per unit.
@@ -104,24 +124,24 @@ std::vector<double> ticks_of(const Scale& scale, int count) {
 }
 
 void draw_axes(const Plot& plot, const Scale& x, const Scale& y, std::string& out) {
-    for (const double v : ticks_of(x, 8)) {
+    const double width = end_of_x(plot), height = end_of_y(plot);
+    constexpr double apart = 70;  // [px] between two numbers of an axis
+    for (const double v : ticks_of(x, std::min(8, static_cast<int>((width - left) / apart)))) {
         const double p = x.pixel(v);
-        out +=
-            fmt::format("<line class='grid' x1='{0:.1f}' y1='{1}' x2='{0:.1f}' y2='{2}'/>\n", p, top, height - bottom);
-        out += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>{:.6g}</text>\n", p, height - bottom + 18, v);
+        out += fmt::format("<line class='grid' x1='{0:.1f}' y1='{1}' x2='{0:.1f}' y2='{2}'/>\n", p, top, height);
+        out += fmt::format("<text x='{:.1f}' y='{}' text-anchor='middle'>{:.6g}</text>\n", p, height + 18, v);
     }
-    for (const double v : ticks_of(y, 7)) {
+    for (const double v : ticks_of(y, std::min(7, static_cast<int>((height - top) / (0.5 * apart))))) {
         const double p = y.pixel(v);
-        out +=
-            fmt::format("<line class='grid' x1='{1}' y1='{0:.1f}' x2='{2}' y2='{0:.1f}'/>\n", p, left, width - right);
+        out += fmt::format("<line class='grid' x1='{1}' y1='{0:.1f}' x2='{2}' y2='{0:.1f}'/>\n", p, left, width);
         out += fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{:.6g}</text>\n", left - 8, p + 4, v);
     }
-    out += fmt::format("<rect class='frame' x='{}' y='{}' width='{}' height='{}'/>\n", left, top, width - left - right,
-                       height - top - bottom);
-    out += fmt::format("<text x='{}' y='{}' text-anchor='middle'>{}</text>\n", 0.5 * (left + width - right),
-                       height - 16, escaped(plot.x.label));
+    out += fmt::format("<rect class='frame' x='{}' y='{}' width='{}' height='{}'/>\n", left, top, width - left,
+                       height - top);
+    out += fmt::format("<text x='{}' y='{}' text-anchor='middle'>{}</text>\n", 0.5 * (left + width),
+                       height + bottom - 16, escaped(plot.x.label));
     out += fmt::format("<text transform='translate(20 {}) rotate(-90)' text-anchor='middle'>{}</text>\n",
-                       0.5 * (top + height - bottom), escaped(plot.y.label));
+                       0.5 * (top + height), escaped(plot.y.label));
 }
 
 /// Points closer than this to the last one drawn are left out: a run has many more steps than a plot has pixels [px].
@@ -168,8 +188,8 @@ void draw_curve(const Curve& curve, const char* color, const Scale& x, const Sca
     }
 }
 
-void draw_legend(const Curve& curve, const char* color, std::size_t line, std::string& out) {
-    const double x = width - right + 16, y = top + 12 + 20 * static_cast<double>(line);
+void draw_legend(const Curve& curve, const char* color, double from, std::size_t line, std::string& out) {
+    const double x = from + 16, y = top + 12 + 20 * static_cast<double>(line);
     if (curve.style == CurveStyle::markers || curve.style == CurveStyle::points) {
         out += fmt::format("<circle cx='{}' cy='{}' r='3.6' fill='#ffffff' stroke='{}' stroke-width='1.6'/>\n", x + 12,
                            y, color);
@@ -180,27 +200,22 @@ void draw_legend(const Curve& curve, const char* color, std::size_t line, std::s
     out += fmt::format("<text x='{}' y='{}'>{}</text>\n", x + 31, y + 4, escaped(curve.label));
 }
 
-/// Characters of a text in UTF-8.
-double length_of(const std::string& text) {
-    return static_cast<double>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 struct Size {
     double width, height;
 };
 
-/// Room for names in full: letters of 13 px are some 8 px wide, those of the title 10.
+/// Size of the whole: letters of the title are some 10 px wide.
 Size size_of(const Plot& plot) {
-    Size size{std::max({width, left + 10 * length_of(plot.title), left + 8 * length_of(plot.subtitle)}), height};
+    Size size{std::max({end_of_x(plot) + right_of(plot), left + 10 * length_of(plot.title),
+                        left + 8 * length_of(plot.subtitle)}),
+              end_of_y(plot) + bottom};
     double lines = 0;
     for (const Curve& curve : plot.curves) {
         if (!curve.label.empty()) {
             lines += 1;
-            size.width = std::max(size.width, width - right + 47 + 8.2 * length_of(curve.label) + 8);
         }
     }
-    size.height = std::max(height, top + 20 * lines + 16);
+    size.height = std::max(size.height, top + 20 * lines + 16);
     return size;
 }
 
@@ -239,7 +254,7 @@ std::string to_svg(const Plot& plot) {
     draw_axes(plot, x, y, out);
     out += fmt::format(
         "<clipPath id='area'><rect x='{}' y='{}' width='{}' height='{}'/></clipPath>\n<g clip-path='url(#area)'>\n",
-        left, top, width - left - right, height - top - bottom);
+        left, top, end_of_x(plot) - left, end_of_y(plot) - top);
     std::size_t next = 0;
     std::vector<const char*> colors;
     for (const Curve& curve : plot.curves) {
@@ -251,7 +266,7 @@ std::string to_svg(const Plot& plot) {
     std::size_t line = 0;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         if (!plot.curves[i].label.empty()) {
-            draw_legend(plot.curves[i], colors[i], line++, out);
+            draw_legend(plot.curves[i], colors[i], end_of_x(plot), line++, out);
         }
     }
     return out + "</svg>\n";

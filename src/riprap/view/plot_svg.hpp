@@ -32,7 +32,8 @@ struct Plot {
     std::string subtitle;  ///< verdict and source in words, under the title
     Axis x, y;
     std::vector<Curve> curves;
-    bool has_equal_scales{false};  ///< a metre is as long along x as along y: for drawings of a scene
+    double width{820}, height{500};  ///< of the drawing [px of 1/96 inch]; it grows where titles or names need more
+    bool has_equal_scales{false};    ///< a metre is as long along x as along y: for drawings of a scene
 };
 
 /// The chart as one self-contained SVG document. Markers of dense curves are thinned to about 30.
