@@ -102,6 +102,26 @@ TEST_F(Runs, ARunTakenFurtherIsTheRunThatWentThereAtOnce) {
     EXPECT_EQ(summary_of("short").at("state_hash"), summary_of("long").at("state_hash"));
 }
 
+TEST_F(Runs, ARunThatWasKilledBeforeItsFirstCheckpointGoesToTheEndThatResumeGives) {
+    // It began again with the end of its case, said nothing and ended with 0.
+    const auto begin_without_checkpoint = [this](const std::string& name) {
+        ASSERT_EQ(run({"run", case_file(), "--out", out(name), "--set", "end=0.03", "--max-steps", "3"}).code, 0);
+        for (const char* file : {"checkpoint/latest", "checkpoint/previous"}) {
+            std::filesystem::remove(in(name, file));
+        }
+    };
+    begin_without_checkpoint("steps");
+    ASSERT_EQ(run({"resume", out("steps"), "--max-steps", "7"}).code, 0);
+    EXPECT_EQ(summary_of("steps").at("steps"), 7);
+    ASSERT_EQ(run({"resume", out("steps"), "--max-steps", "-1"}).code, 0);
+    EXPECT_EQ(summary_of("steps").at("status"), "finished");
+
+    begin_without_checkpoint("short");
+    ASSERT_EQ(run({"resume", out("short"), "--end", "0.05", "--max-steps", "-1"}).code, 0);
+    ASSERT_EQ(run({"run", case_file(), "--out", out("long"), "--set", "end=0.05"}).code, 0);
+    EXPECT_EQ(summary_of("short").at("state_hash"), summary_of("long").at("state_hash"));
+}
+
 TEST_F(Runs, TheLineOfABatchQueueJudgesARunThatWasTakenFurtherThanItsCase) {
     ASSERT_EQ(run({"run", case_file(), "--out", out("far"), "--set", "end=0.03"}).code, 0);
     ASSERT_EQ(run({"resume", out("far"), "--end", "0.05"}).code, 0);

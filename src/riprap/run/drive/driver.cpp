@@ -67,7 +67,11 @@ void Driver::store_case(const std::vector<std::string>& overrides) const {
     run::store_case(folder_, simulation_.loaded(), overrides);
 }
 
-void Driver::start() {
+void Driver::start(std::optional<double> end, std::optional<std::int64_t> max_steps) {
+    if (end || max_steps) {
+        refuse_earlier_end(end.value_or(model().time.end), state(), folder_);
+        simulation_.set_end(end.value_or(model().time.end), max_steps.value_or(model().time.max_steps));
+    }
     log_ = std::make_unique<RunLog>(folder_);
     announce("start");
     outputs_ = std::make_unique<Outputs>(folder_, simulation_.loaded(), simulation_.initial(), record_, false);

@@ -29,8 +29,8 @@ class Driver {
     Driver(RunFolder folder, scene::LoadedCase loaded, Voice voice);
 
     void store_case(const std::vector<std::string>& overrides) const;
-    /// Begins at time 0: first frame, first rows, first checkpoint.
-    void start();
+    /// Begins at time 0, with another end where one is given: first frame, first rows, first checkpoint.
+    void start(std::optional<double> end = {}, std::optional<std::int64_t> max_steps = {});
     /// Continues from the checkpoint, with another end where one is given. @throws CheckpointError
     void resume(std::optional<double> end, std::optional<std::int64_t> max_steps);
     /// Continues to the end that the case gives, if the run is not beyond that already. @throws CheckpointError

@@ -96,7 +96,7 @@ int resume_run(const ResumeOptions& options) {
     if (folder.has_checkpoint()) {
         driver.resume(options.end, options.max_steps);
     } else {
-        driver.start();  // stopped before its first checkpoint: nothing is lost by beginning again
+        driver.start(options.end, options.max_steps);  // stopped before its first checkpoint: nothing is lost
     }
     return driver.run();
 }
