@@ -122,6 +122,22 @@ TEST_F(Runs, ARunThatWasKilledBeforeItsFirstCheckpointGoesToTheEndThatResumeGive
     EXPECT_EQ(summary_of("short").at("state_hash"), summary_of("long").at("state_hash"));
 }
 
+TEST_F(Runs, FoldersOfFramesAndCheckpointsThatWereRemovedAreMadeAgain) {
+    ASSERT_EQ(run({"run", case_file(), "--out", out("whole"), "--set", "end=0.03"}).code, 0);
+    for (const char* removed : {"frames", "checkpoint"}) {
+        for (const bool is_named : {true, false}) {
+            ASSERT_EQ(
+                run({"run", case_file(), "--out", out("a"), "--force", "--set", "end=0.03", "--max-steps", "3"}).code,
+                0);
+            std::filesystem::remove_all(in("a", removed));
+            const Ending ending = is_named ? run({"resume", out("a"), "--max-steps", "-1"})
+                                           : run({"run", case_file(), "--out", out("a"), "--set", "end=0.03"});
+            EXPECT_EQ(ending.code, 0) << removed << ending.err;
+            EXPECT_EQ(summary_of("a").at("state_hash"), summary_of("whole").at("state_hash")) << removed;
+        }
+    }
+}
+
 TEST_F(Runs, TheLineOfABatchQueueJudgesARunThatWasTakenFurtherThanItsCase) {
     ASSERT_EQ(run({"run", case_file(), "--out", out("far"), "--set", "end=0.03"}).code, 0);
     ASSERT_EQ(run({"resume", out("far"), "--end", "0.05"}).code, 0);

@@ -78,6 +78,7 @@ int run_loaded(scene::LoadedCase loaded, const RunOptions& options) {
     const bool is_continued = claim(folder, existing) && folder.has_checkpoint();
     if (is_continued) {
         end_marking(folder);
+        make_output_folders(folder);
         driver.resume_case();
     } else {
         make_room(folder);
@@ -93,6 +94,7 @@ int resume_run(const ResumeOptions& options) {
     Driver driver(folder, load_stored_case(folder), options.quiet ? Voice::verdicts : Voice::all);
     const FolderLock lock(folder);
     end_marking(folder);
+    make_output_folders(folder);
     if (folder.has_checkpoint()) {
         driver.resume(options.end, options.max_steps);
     } else {

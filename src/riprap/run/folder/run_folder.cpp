@@ -172,10 +172,14 @@ void end_marking(const RunFolder& folder) {
     }
 }
 
-void store_case(const RunFolder& folder, const scene::LoadedCase& loaded, const std::vector<std::string>& overrides) {
-    io::make_folder(folder.case_folder());
+void make_output_folders(const RunFolder& folder) {
     io::make_folder(folder.frames());
     io::make_folder(folder.checkpoint_latest().parent_path());
+}
+
+void store_case(const RunFolder& folder, const scene::LoadedCase& loaded, const std::vector<std::string>& overrides) {
+    io::make_folder(folder.case_folder());
+    make_output_folders(folder);
     for (const scene::InputFile& input : loaded.inputs) {
         const fs::path copy = folder.case_folder() / input.path;
         io::make_folder(copy.parent_path());

@@ -82,6 +82,9 @@ void make_room(const RunFolder& folder);
 /// Takes the mark of make_room away: the ticket says the same from now on.
 void end_marking(const RunFolder& folder);
 
+/// Makes the folders of frames and checkpoints where they are missing: who needs room removes frames. @throws FileError
+void make_output_folders(const RunFolder& folder);
+
 /// Copies the case with every file it reads, the resolved case and, last, the ticket that makes it a run; then ends the
 /// marking. @throws FileError
 void store_case(const RunFolder& folder, const scene::LoadedCase& loaded, const std::vector<std::string>& overrides);
