@@ -53,7 +53,8 @@ void expect_answers(const std::string& text, const std::string& folder = ".") {
 
 class RoundContacts : public ::testing::TestWithParam<Method> {};
 
-// What slides without spin rolls in the end with v/(1 + I/(m r^2)): 2/3 of its speed as a disc, 5/7 as a ball.
+// Holds that what slides without spin rolls in the end with v/(1 + I/(m r^2)): 2/3 of its speed as a disc, 5/7 as a
+// ball.
 TEST_P(RoundContacts, ADiscRollsWithTwoThirdsOfItsSpeedWhateverItsDashpots) {
     expect_answers(
         scene_of(GetParam(), true, 0.8, 0.5) + body("floor", "box = [8.0, 1.0]", "0.0, -0.5", "fixed = true") +

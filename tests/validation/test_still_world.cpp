@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // No published case is judged by answers alone that a world in which nothing moves would give as well.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <fstream>
@@ -92,6 +92,17 @@ TEST_P(StillWorld, IsRightInNoCaseOfASuiteButThoseBesideOneThatMoves) {
     for (const auto& [name, partner] : partners) {
         EXPECT_FALSE(moving.contains(name)) << name << " needs no case beside it";
     }
+}
+
+TEST(StillScene, OfTheCrossTableIsJudgedWithoutAStepToo) {
+    ValidateOptions options;
+    options.selection = {"cross/seam_of_two"};
+    options.is_still = true;
+    options.results = "";
+    std::ostringstream table;
+    EXPECT_EQ(validate(options, all_cases(), table, nullptr), 1);
+    EXPECT_THAT(table.str(), testing::HasSubstr("way"));
+    EXPECT_THAT(table.str(), testing::Not(testing::HasSubstr("planar_dda")));  // nor with any method
 }
 
 }  // namespace

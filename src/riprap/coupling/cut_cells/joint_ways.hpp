@@ -16,8 +16,8 @@ struct ClosedShares {
 /// Finds the water for closed cells with facets: from the nearest open cells, through closed cells beside them. Sets
 /// CutBodies::joints and CutFacet::joint.
 ///
-/// What a facet looks at is the other body of its joint, no way to the water: through a plate two cells thick it would
-/// lead to the water or air under it. Such ways are taken only where there is no other.
+/// Takes a way through the body that a facet looks at, the other one of its joint, only where there is no other:
+/// through a plate two cells thick it would lead to the water or air under it.
 void find_joint_ways(const fluid::grid::Mesh& mesh, const ClosedShares& closed, CutBodies& cut);
 
 }  // namespace riprap::coupling

@@ -200,12 +200,7 @@ double ParticleReader::flow(const Vec3& low, const Vec3& high) const {
 }
 
 double ParticleReader::volume(const Vec3& low, const Vec3& high) const {
-    const double rest_volume = settings_.particle_mass / settings_.rest_density;
-    double sum = 0;
-    for (std::size_t count = inside(low, high).size(); count > 0; --count) {
-        sum += rest_volume;
-    }
-    return sum;
+    return settings_.particle_mass / settings_.rest_density * static_cast<double>(inside(low, high).size());
 }
 
 std::vector<std::size_t> ParticleReader::inside(const Vec3& low, const Vec3& high) const {

@@ -169,8 +169,8 @@ struct AdvanceDensity {
     }
 
  private:
-    /// Forces see the volumes of both sides as they are at their time, an update those before it; walls keep theirs.
-    /// What the volume of a neighbour changes by is taken to be what the particle's own does.
+    /// Finds what flow stores and what forces do: they see the volumes of both sides as they are at their time, an
+    /// update those before it; walls keep theirs. The volume of a neighbour is taken to change as the particle's own.
     /// @param gain  by which density grows, over the rate [kg s/m^3]
     RIPRAP_HD FlowWork work_of_flow(double before, double after, double gain, double of_water, double of_walls) const {
         const double mean = 0.5 * (before + after);

@@ -100,8 +100,12 @@ class LastBodies : public Output {
     std::filesystem::path path_;
 };
 
-/// Number of whole lines of a file; 0 where it cannot be read.
+/// Counts whole lines of a file; 0 where it cannot be read. A pipe would wait for a writer.
 std::int64_t count_lines(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) {
+        return 0;
+    }
     std::ifstream file(path, std::ios::binary);
     return std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n');
 }
