@@ -6,71 +6,16 @@
 #include <numbers>
 
 #include "riprap/contact/narrowphase/sphere_convex.hpp"
-#include "riprap/geometry/polyhedra/shapes.hpp"
 
 namespace riprap::contact {
-
-namespace {
-
-constexpr int corners_of_a_ball = 162, corners_of_a_disc = 128;
-/// Share of the radius by which a corner of a round shape may be off, by round-off.
-constexpr double roundness = 1e-6;
-
-/// Are all corners as far from the axis z (of a disc) or from the centre (of a ball)?
-bool is_round(const geometry::ConvexView& shape, bool is_disc) {
-    const auto reach = [&](int i) {
-        const Vec3 x = shape.vertex(i);
-        return is_disc ? std::hypot(x.x, x.y) : norm(x);
-    };
-    const double radius = reach(0);
-    for (int i = 1; i < shape.vertex_count; ++i) {
-        if (!(std::abs(reach(i) - radius) < roundness * radius)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// Radius over circumradius of the polyhedron that stands for a ball.
-double ball_share() {
-    static const double share = 1 / norm(geometry::sphere(1).vertices[0]);
-    return share;
-}
-
-/// Radius over circumradius of the prism of 64 sides of the same area.
-double disc_share() {
-    constexpr double sides = corners_of_a_disc / 2;
-    return std::sqrt(sides / 2 * std::sin(2 * std::numbers::pi / sides) * std::numbers::inv_pi);
-}
-
-bool has_cut(const geometry::ConvexView& shape) {
-    for (int j = 0; j < shape.face_count; ++j) {
-        const bool is_end = shape.is_planar && std::abs(shape.normal_z[j]) > 0.5;
-        if (shape.is_internal[j] != 0 && !is_end) {
-            return true;
-        }
-    }
-    return false;
-}
-
-}  // namespace
-
-double round_radius(const geometry::ConvexView& shape) {
-    if (shape.is_planar) {
-        return shape.vertex_count == corners_of_a_disc && is_round(shape, true)
-                   ? disc_share() * std::hypot(shape.vertex_x[0], shape.vertex_y[0])
-                   : 0;
-    }
-    return shape.vertex_count == corners_of_a_ball && is_round(shape, false) ? ball_share() * norm(shape.vertex(0)) : 0;
-}
 
 RoundPush::RoundPush(const PlacedShape& a, double stiffness_a, const PlacedShape& b, double stiffness_b)
     : a_(a),
       b_(b),
       modulus_(stiffness_a + stiffness_b),
-      radius_a_(round_radius(a.shape)),
-      radius_b_(round_radius(b.shape)),
-      is_round_((radius_a_ > 0 || radius_b_ > 0) && !has_cut(a.shape) && !has_cut(b.shape)) {}
+      radius_a_(a.shape.round_radius),
+      radius_b_(b.shape.round_radius),
+      is_round_((radius_a_ > 0 || radius_b_ > 0) && !a.shape.has_cut && !b.shape.has_cut) {}
 
 bool RoundPush::overlaps(NormalContact& contact, Vec3& normal) const {
     const Vec3 &at_a = a_.frame.origin, &at_b = b_.frame.origin;

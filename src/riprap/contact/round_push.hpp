@@ -6,10 +6,6 @@
 
 namespace riprap::contact {
 
-/// Radius of the ball, or of the disc of a planar scene, that a shape stands for: of the same volume, or area;
-/// 0 = it stands for none [m].
-double round_radius(const geometry::ConvexView& shape);
-
 /// Contact of a ball, or of a disc of a planar scene, as what it is, not as the polyhedron that stands for it: whose
 /// facets would be hit one after the other as it rolls, and whose corners lie outside of it. Its push follows from the
 /// depth d of its surface in the other body, at the point of that body nearest to its centre, as on an elastic

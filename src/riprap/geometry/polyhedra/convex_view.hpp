@@ -30,7 +30,9 @@ struct ConvexView {
     const std::uint8_t* is_internal;  ///< per face
     double inscribed_radius;          ///< radius r of the largest inscribed sphere [m]
     double circumradius;              ///< largest distance of a vertex from the origin [m]
+    double round_radius;              ///< of the ball or disc that it stands for (round_radius_of); 0 = none [m]
     bool is_planar;                   ///< a prism of a planar scene (is_planar_prism)
+    bool has_cut;                     ///< a face is internal that is no end of a planar prism
     bool is_sharp;                    ///< all edges are sharp (has_sharp_edges)
 
     RIPRAP_HD Vec3 vertex(int i) const { return {vertex_x[i], vertex_y[i], vertex_z[i]}; }

@@ -19,4 +19,9 @@ Outcome<Polyhedron> cylinder(double radius, double height, int sides);
 /// circle [-]: an n-gon has the area n/2 R^2 sin(2 pi/n).
 double circumradius_of_equal_area(int sides);
 
+/// Radius of the ball, or of the disc of a planar scene (a prism of 64 sides about z), that a shape stands for: of the
+/// same volume, or area; 0 = it stands for none [m].
+/// @param volume  of the shape [m^3]
+double round_radius_of(const Polyhedron& shape, bool is_planar, double volume);
+
 }  // namespace riprap::geometry

@@ -9,6 +9,7 @@
 #include "riprap/core/error.hpp"
 #include "riprap/geometry/polyhedra/chebyshev.hpp"
 #include "riprap/geometry/polyhedra/merge_faces.hpp"
+#include "riprap/geometry/polyhedra/round_shapes.hpp"
 #include "riprap/geometry/polyhedra/sharp_edges.hpp"
 
 namespace riprap::geometry {
@@ -101,6 +102,7 @@ ShapeId ShapeSet::add_convex(const Polyhedron& polyhedron, bool planar, Vec3* ce
     const double scale = length_scale(shape.vertices);
     RIPRAP_ASSERT(mass.volume > 0, "volume " + std::to_string(mass.volume));
     RIPRAP_ASSERT(is_convex(shape.vertices, planes, scale), "a vertex lies outside a face plane");
+    const bool has_cut = std::ranges::any_of(shape.is_internal, [](std::uint8_t flag) { return flag != 0; });
     if (planar) {
         mark_end_faces(shape, planes);
     }
@@ -114,6 +116,8 @@ ShapeId ShapeSet::add_convex(const Polyhedron& polyhedron, bool planar, Vec3* ce
     added.area_tensor = area_tensor_of(shape, planes);
     const std::span<const std::uint8_t> flags = has_field ? std::span(shape.is_internal) : std::span<std::uint8_t>{};
     added.inscribed_radius = largest_inscribed_sphere(planes, flags, {}, scale).radius;
+    added.has_cut = has_cut;
+    added.round_radius = round_radius_of(shape, planar, mass.volume);
     for (const Vec3& x : shape.vertices) {
         added.circumradius = std::max(added.circumradius, norm(x));
     }
@@ -221,7 +225,9 @@ ConvexView ShapeSet::view(ShapeId shape) const {
             .is_internal = is_internal_.data() + e.face_begin,
             .inscribed_radius = e.inscribed_radius,
             .circumradius = e.circumradius,
+            .round_radius = e.round_radius,
             .is_planar = e.is_planar,
+            .has_cut = e.has_cut,
             .is_sharp = e.is_sharp};
 }
 

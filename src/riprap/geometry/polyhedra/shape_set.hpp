@@ -54,8 +54,8 @@ class ShapeSet {
         std::int32_t vertex_begin, vertex_count;
         std::int32_t face_begin, face_count;
         std::int32_t start_begin, loop_begin;
-        bool is_half_space, is_planar, is_sharp;
-        double inscribed_radius, circumradius, volume;
+        bool is_half_space, is_planar, has_cut, is_sharp;
+        double inscribed_radius, circumradius, round_radius, volume;
         Mat3 second_moment, area_tensor;
     };
     const Entry& entry(ShapeId shape) const { return entries_[static_cast<std::size_t>(shape.value)]; }

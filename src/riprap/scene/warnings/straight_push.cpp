@@ -106,7 +106,10 @@ class Traveller {
             double next = infinity;
             for (const contact::PartPair& pair : pairs_) {
                 const double step = fine * thin_of(pair);
-                double free = free_way(pair, s);
+                double free = way_to_balls(pair, s);
+                if (free < step) {
+                    free = std::max(free, free_way(pair, s));
+                }
                 contact::NormalContact found{};
                 if (free < step && touch(pair, s * way_, found) && found.depth > grazing * thin_of(pair)) {
                     met = touching(pair, s);
@@ -167,6 +170,20 @@ class Traveller {
         options.with_energy = false;  // dear of shapes with many faces, and given by the force along the way
         return contact::find_push({{a, moved}, stiffness(pair.a)}, {{b, placed_.frames[at(pair.b)]}, stiffness(pair.b)},
                                   options, cache, found);
+    }
+
+    /// Way from `s` on until the balls about both parts meet; infinite where they pass each other [m].
+    double way_to_balls(const contact::PartPair& pair, double s) const {
+        const double reach = placed_.radii[at(pair.a)] + placed_.radii[at(pair.b)];
+        if (!std::isfinite(reach)) {
+            return 0;
+        }
+        const Vec3 between = placed_.centers[at(pair.b)] - placed_.centers[at(pair.a)] - s * way_;
+        const double along = dot(between, way_), beside = norm_squared(between) - along * along;
+        if (norm_squared(between) <= reach * reach) {
+            return 0;
+        }
+        return along > 0 && beside <= reach * reach ? along - std::sqrt(reach * reach - beside) : infinity;
     }
 
     double free_way(const contact::PartPair& pair, double s) const {

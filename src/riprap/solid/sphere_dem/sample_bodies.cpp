@@ -41,20 +41,10 @@ bool is_box(const geometry::Polyhedron& shape, const Vec3& size) {
     return shape.vertices.size() == 8 && std::ranges::all_of(shape.vertices, in_corner);
 }
 
-/// A ball, or in the plane a disc: the prism of 64 sides.
+/// Tells whether a body is one ball, or in the plane one disc.
 bool is_round(const body::BodySet& bodies, const geometry::ShapeSet& shapes, std::size_t body) {
-    if (bodies.part_begin[body + 1] - bodies.part_begin[body] != 1) {
-        return false;
-    }
-    const geometry::Polyhedron shape = shapes.polyhedron(bodies.parts[at(bodies.part_begin[body])].shape);
-    if (!bodies.is_planar) {
-        return geometry::is_sphere(shape);
-    }
-    constexpr std::size_t corners = 128;  // of both ends
-    const double radius = std::hypot(shape.vertices[0].x, shape.vertices[0].y);
-    return shape.vertices.size() == corners && std::ranges::all_of(shape.vertices, [&](const Vec3& v) {
-               return std::abs(std::hypot(v.x, v.y) - radius) < 1e-6 * radius;
-           });
+    return bodies.part_begin[body + 1] - bodies.part_begin[body] == 1 &&
+           shapes.view(bodies.parts[at(bodies.part_begin[body])].shape).round_radius > 0;
 }
 
 /// Radius of the samples of a part that may be smaller than others [m].
