@@ -78,6 +78,8 @@ ConvexView host_view(const FlatShape& s) {
                     s.is_internal.data(),
                     s.inscribed_radius,
                     s.circumradius,
+                    0,
+                    false,
                     false,
                     false};
     view.is_planar = riprap::geometry::is_planar_prism(view);

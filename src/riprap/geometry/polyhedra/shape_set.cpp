@@ -68,6 +68,16 @@ void mark_end_faces(Polyhedron& shape, const std::vector<Plane>& planes) {
     }
 }
 
+/// Tells whether a face carries no field that is no end of a planar prism: the part was cut from a larger one.
+bool has_cut(const Polyhedron& shape, const std::vector<Plane>& planes, bool is_planar) {
+    for (std::size_t j = 0; j < shape.is_internal.size(); ++j) {
+        if (shape.is_internal[j] != 0 && !(is_planar && std::abs(planes[j].normal.z) > 0.5)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 Mat3 area_tensor_of(const Polyhedron& shape, const std::vector<Plane>& planes) {
     Mat3 sum{};
     for (std::size_t j = 0; j < planes.size(); ++j) {
@@ -102,7 +112,6 @@ ShapeId ShapeSet::add_convex(const Polyhedron& polyhedron, bool planar, Vec3* ce
     const double scale = length_scale(shape.vertices);
     RIPRAP_ASSERT(mass.volume > 0, "volume " + std::to_string(mass.volume));
     RIPRAP_ASSERT(is_convex(shape.vertices, planes, scale), "a vertex lies outside a face plane");
-    const bool has_cut = std::ranges::any_of(shape.is_internal, [](std::uint8_t flag) { return flag != 0; });
     if (planar) {
         mark_end_faces(shape, planes);
     }
@@ -116,7 +125,7 @@ ShapeId ShapeSet::add_convex(const Polyhedron& polyhedron, bool planar, Vec3* ce
     added.area_tensor = area_tensor_of(shape, planes);
     const std::span<const std::uint8_t> flags = has_field ? std::span(shape.is_internal) : std::span<std::uint8_t>{};
     added.inscribed_radius = largest_inscribed_sphere(planes, flags, {}, scale).radius;
-    added.has_cut = has_cut;
+    added.has_cut = has_cut(shape, planes, planar);
     added.round_radius = round_radius_of(shape, planar, mass.volume);
     for (const Vec3& x : shape.vertices) {
         added.circumradius = std::max(added.circumradius, norm(x));
