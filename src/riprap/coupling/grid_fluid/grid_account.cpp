@@ -26,7 +26,8 @@ constexpr double most_pressed = 0.03;
 struct Squeeze {
     std::int32_t body{-1};  ///< that moves most of it; -1: none
     double rate{0};         ///< volume that this body takes, less what it gives [m^3/s]
-    double area{0};         ///< of its facets in the pocket, times the width of the cells there [m^3]
+    double skin{0};         ///< facets in the pocket, of it or of a free body that has more, times the width of their
+                            ///< cells [m^3]: what the pocket loses as that body goes on by a cell
     bool has_free{false};   ///< bodies in it that can follow its water
 };
 
@@ -34,7 +35,7 @@ Squeeze squeeze_of(const FluidScene& scene, const fluid::grid::Mesh& mesh, const
                    const Pocket& pocket) {
     std::vector<std::int64_t> cells = pocket.cells;
     std::sort(cells.begin(), cells.end());
-    std::vector<double> rate(scratch.bodies.size()), area(scratch.bodies.size());
+    std::vector<double> rate(scratch.bodies.size()), skin(scratch.bodies.size());
     Squeeze most;
     for (const CutFacet& facet : scratch.cut.facets) {
         if (!moves_fluid(facet) || !std::binary_search(cells.begin(), cells.end(), facet.cell)) {
@@ -42,16 +43,20 @@ Squeeze squeeze_of(const FluidScene& scene, const fluid::grid::Mesh& mesh, const
         }
         const double moved = dot(scratch.bodies[at(facet.body)].velocity_at(facet.place()), facet.area);
         rate[at(facet.body)] += moved;
-        most.has_free = most.has_free || body::may_move(scene.bodies, at(facet.body));
-        for (int a = 0; a < mesh.box.axes && moved != 0; ++a) {
-            area[at(facet.body)] += std::abs(facet.area[a]) * mesh.h(a, mesh.cell_at(a, facet.place()[a]));
+        const bool is_free = body::may_move(scene.bodies, at(facet.body));
+        most.has_free = most.has_free || is_free;
+        for (int a = 0; a < mesh.box.axes && (is_free || moved != 0); ++a) {
+            skin[at(facet.body)] += std::abs(facet.area[a]) * mesh.h(a, mesh.cell_at(a, facet.place()[a]));
         }
     }
+    double widest = 0;
     for (std::size_t b = 0; b < rate.size(); ++b) {
         if (std::abs(rate[b]) > std::abs(most.rate)) {
-            most = {static_cast<std::int32_t>(b), rate[b], area[b], most.has_free};
+            most = {static_cast<std::int32_t>(b), rate[b], skin[b], most.has_free};
         }
+        widest = body::may_move(scene.bodies, b) ? std::max(widest, skin[b]) : widest;
     }
+    most.skin = std::max(most.skin, widest);
     return most;
 }
 
@@ -95,7 +100,7 @@ Outcome pocket_outcome(const FluidScene& scene, const GridFluidSettings& setting
         }
         const bool is_hollow = fraction < 1 - fluid::grid::most_hollow * (1 - round_off);
         const Squeeze squeeze = squeeze_of(scene, settings.grid.mesh, scratch, pocket);
-        if (squeeze.body < 0 || !(room > least_cells * squeeze.area)) {
+        if (squeeze.body < 0 || !(room > least_cells * squeeze.skin)) {
             continue;
         }
         const bool is_driven = scene.bodies.drive[at(squeeze.body)] == body::Drive::driven;

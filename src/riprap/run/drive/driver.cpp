@@ -55,10 +55,29 @@ void refuse_earlier_end(double end, const sim::State& reached, const RunFolder& 
     }
 }
 
+/// Shows how far bodies have settled before time 0; null where a run says nothing.
+SettleWatch settle_line(Voice voice) {
+    if (voice != Voice::all) {
+        return {};
+    }
+    auto line = std::make_shared<std::optional<Progress>>();
+    return [line](std::int64_t step, double time, double end) {
+        const Stand now{step, time, end};
+        if (!*line) {
+            line->emplace(Stand{0, 0, end}, CostUnit{}, "settling ", false);
+        }
+        if (time < end) {
+            (*line)->show(now);
+        } else {
+            (*line)->finish(now);
+        }
+    };
+}
+
 }  // namespace
 
 Driver::Driver(RunFolder folder, scene::LoadedCase loaded, Voice voice)
-    : folder_(std::move(folder)), voice_(voice), simulation_(std::move(loaded)) {
+    : folder_(std::move(folder)), voice_(voice), simulation_(std::move(loaded), settle_line(voice)) {
     record_.frame_interval = frame_interval(model());
     record_.row_interval = row_interval(model());
 }
@@ -194,7 +213,7 @@ int Driver::run(const Watch& watch) {
         return verdict(simulation_.judge());
     }
     const StopRequest stop;
-    Progress progress(state().step, model().bodies.size(), state().fluid.size(), voice_ != Voice::all);
+    Progress progress(stand(), cost_unit(), "", voice_ != Voice::all);
     while (simulation_.steps_left() > 0) {
         if (stop.signal() != 0) {
             return interrupt(progress, "stopped by " + signal_name(stop.signal()),
@@ -216,7 +235,7 @@ int Driver::run(const Watch& watch) {
         if (is_due && simulation_.steps_left() > 0) {
             checkpoint(progress);
         }
-        progress.show(state().step, simulation_.steps_left(), state().time);
+        progress.show(stand());
         if (watch && !watch(simulation_) && simulation_.steps_left() > 0) {
             return interrupt(progress, "stopped by its watcher", static_cast<int>(ExitCode::success));
         }
@@ -254,21 +273,33 @@ void Driver::tell_notices() {
     }
 }
 
+Stand Driver::stand() const { return {state().step, state().time, simulation_.end(), model().time.max_steps}; }
+
+CostUnit Driver::cost_unit() const {
+    if (state().fluid.size() > 0) {
+        return {"particle", state().fluid.size()};
+    }
+    return model().has_fluid() || model().bodies.size() == 0 ? CostUnit{} : CostUnit{"body", model().bodies.size()};
+}
+
+double Driver::cost_per_body(const Progress& progress) const {
+    return 1e9 * progress.pace().seconds_per_step() / std::max(1, model().bodies.size());
+}
+
 double Driver::predicted_seconds(const Progress& progress) const {
-    return earlier_seconds_ + progress.seconds() +
-           progress.seconds_per_step(state().step) * static_cast<double>(simulation_.steps_to_end());
+    const double left = progress.pace().seconds_to_end();
+    return earlier_seconds_ + progress.seconds() + (std::isfinite(left) ? left : 0);
 }
 
 /// For a run that max_steps has stopped: a few steps tell what the whole would take.
 void Driver::tell_prediction(const Progress& progress) {
-    const double step_seconds = progress.seconds_per_step(state().step), total = predicted_seconds(progress);
-    const std::int64_t particles = state().fluid.size(), left = simulation_.steps_to_end();
+    const double step_seconds = progress.pace().seconds_per_step(), total = predicted_seconds(progress);
+    const std::int64_t particles = state().fluid.size();
     const std::string text = fmt::format(
-        "stopped by max_steps: {:.4g} ms per step{}, about {} steps more to t = {:.6g} s; predicted total {} with {}",
-        1e3 * step_seconds, particles > 0 ? fmt::format(" with {} particles of water", particles) : std::string(), left,
-        simulation_.end(), duration_text(total), counted(parallel::thread_count(), "thread"));
-    log_->add("prediction", text,
-              {{"seconds_per_step", step_seconds}, {"steps_left", static_cast<double>(left)}, {"seconds", total}});
+        "stopped by max_steps: {:.4g} ms per step{}; predicted total {} to t = {:.6g} s with {}, at this pace",
+        1e3 * step_seconds, particles > 0 ? fmt::format(" with {} particles of water", particles) : std::string(),
+        duration_text(total), simulation_.end(), counted(parallel::thread_count(), "thread"));
+    log_->add("prediction", text, {{"seconds_per_step", step_seconds}, {"seconds", total}});
     say(text);
 }
 
@@ -287,13 +318,13 @@ void Driver::checkpoint(const Progress& progress) {
     log_->add("checkpoint", fmt::format("step {}, t = {:.6g} s", state().step, state().time),
               {{"step", static_cast<double>(state().step)},
                {"time", state().time},
-               {"ns_per_body_step", progress.cost_per_body(state().step)},
-               {"seconds_per_step", progress.seconds_per_step(state().step)}});
+               {"ns_per_body_step", cost_per_body(progress)},
+               {"seconds_per_step", progress.pace().seconds_per_step()}});
 }
 
 int Driver::finish(const Progress& progress) {
     Progress last_line = progress;
-    last_line.finish(state().step, simulation_.steps_left(), state().time);
+    last_line.finish(stand());
     const std::vector<ExpectResult> results = simulation_.judge();
     // The checkpoint comes last: killed before it, the run continues from the one before and writes all this again.
     outputs_->note(record_);
@@ -375,8 +406,8 @@ void Driver::summarise(const Progress& progress, const std::string& status, cons
     summary.reason = reason;
     summary.wall_seconds = earlier_seconds_ + progress.seconds();
     summary.predicted_seconds = predicted_seconds(progress);
-    summary.seconds_per_step = progress.seconds_per_step(state().step);
-    summary.cost = progress.cost_per_body(state().step);
+    summary.seconds_per_step = progress.pace().seconds_per_step();
+    summary.cost = cost_per_body(progress);
     summary.resumes = record_.resumes;
     summary.expects = results;
     summary.warnings = log_->warnings();

@@ -45,6 +45,9 @@ class Driver {
     void tell_notices();
     void warn(const std::string& text, RunLog::Numbers numbers = {});
     void tell_warnings() const;
+    Stand stand() const;
+    CostUnit cost_unit() const;
+    double cost_per_body(const Progress& progress) const;  ///< [ns per body and step]
     void tell_prediction(const Progress& progress);
     /// Wall-clock time of the whole run, to its end whatever max_steps says, at the pace of this process so far [s].
     double predicted_seconds(const Progress& progress) const;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace riprap::run {
 
@@ -14,10 +15,6 @@ namespace {
 constexpr double terminal_period = 0.2;  // [s]
 constexpr double plain_period = 30;      // [s]
 constexpr int bar_width = 24;
-
-double share_done(std::int64_t step, std::int64_t steps_left) {
-    return steps_left > 0 ? static_cast<double>(step) / static_cast<double>(step + steps_left) : 1;
-}
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -35,63 +32,56 @@ std::string duration_text(double seconds) {
     return s < 9.5 ? fmt::format("{:.1f} s", s) : fmt::format("{} s", whole);
 }
 
-Progress::Progress(std::int64_t first_step, std::int64_t body_count, std::int64_t particle_count, bool is_quiet)
-    : first_step_(first_step),
-      body_count_(std::max<std::int64_t>(1, body_count)),
-      particle_count_(particle_count),
+Progress::Progress(const Stand& first, CostUnit unit, std::string label, bool is_quiet)
+    : pace_(first),
+      now_(first),
+      unit_(std::move(unit)),
+      label_(std::move(label)),
       is_quiet_(is_quiet),
       is_terminal_(isatty(STDOUT_FILENO) != 0),
       next_print_(is_terminal_ ? terminal_period : plain_period) {}
 
-int Progress::tenths_done(std::int64_t step, std::int64_t steps_left) const {
-    const auto done = static_cast<double>(step - first_step_);
-    return static_cast<int>(10 * done / std::max(1.0, done + static_cast<double>(steps_left)));
+std::string Progress::line() const {
+    const double cost = pace_.seconds_per_step();
+    const std::string cost_text =
+        unit_.name.empty()
+            ? fmt::format("{:.3g} ms per step", 1e3 * cost)
+            : fmt::format("{:.0f} ns per {}-step", 1e9 * cost / static_cast<double>(unit_.count), unit_.name);
+    return fmt::format("{:3.0f} %  t = {:.4g} s  step {}  {}  {} left", 100 * now_.share(), now_.time, now_.step,
+                       cost_text, duration_text(pace_.seconds_left()));
 }
 
-double Progress::seconds_per_step(std::int64_t step) const {
-    return step > first_step_ ? timer_.seconds() / static_cast<double>(step - first_step_) : 0;
-}
-
-std::string Progress::line(std::int64_t step, std::int64_t steps_left, double time) const {
-    const double step_seconds = seconds_per_step(step);
-    const std::string cost =
-        particle_count_ > 0
-            ? fmt::format("{:.0f} ns per particle-step", 1e9 * step_seconds / static_cast<double>(particle_count_))
-            : fmt::format("{:.0f} ns per body-step", cost_per_body(step));
-    return fmt::format("{:3.0f} %  t = {:.4g} s  step {}/{}  {}  {} left", 100 * share_done(step, steps_left), time,
-                       step, step + steps_left, cost, duration_text(step_seconds * static_cast<double>(steps_left)));
-}
-
-void Progress::print(std::int64_t step, std::int64_t steps_left, double time) {
+void Progress::print() {
     if (!is_terminal_) {
-        fmt::print("{}\n", line(step, steps_left, time));
+        fmt::print("{}{}\n", label_, line());
     } else {
-        const auto filled = static_cast<std::size_t>(std::lround(bar_width * share_done(step, steps_left)));
-        fmt::print("\r\033[K[{:<{}}] {}", std::string(filled, '='), bar_width, line(step, steps_left, time));
+        const auto filled = static_cast<std::size_t>(std::lround(bar_width * now_.share()));
+        fmt::print("\r\033[K{}[{:<{}}] {}", label_, std::string(filled, '='), bar_width, line());
     }
     std::fflush(stdout);
 }
 
-void Progress::show(std::int64_t step, std::int64_t steps_left, double time) {
-    if (is_quiet_) {
+void Progress::show(const Stand& now) {
+    now_ = now;
+    const double seconds = timer_.seconds();
+    pace_.note(now, seconds);
+    const int tenths = static_cast<int>(10 * pace_.share_of_process());
+    const bool is_tenth = !is_terminal_ && label_.empty() && tenths > tenths_printed_ && tenths < 10;
+    if (is_quiet_ || (seconds < next_print_ && !is_tenth)) {
         return;
     }
-    const double now = timer_.seconds();
-    const int tenths = tenths_done(step, steps_left);
-    const bool is_tenth = !is_terminal_ && tenths > tenths_printed_ && steps_left > 0;
-    if (now < next_print_ && !is_tenth) {
-        return;
-    }
-    next_print_ = now + (is_terminal_ ? terminal_period : plain_period);
+    next_print_ = seconds + (is_terminal_ ? terminal_period : plain_period);
     tenths_printed_ = std::max(tenths_printed_, tenths);
-    print(step, steps_left, time);
+    print();
 }
 
-void Progress::finish(std::int64_t step, std::int64_t steps_left, double time) {
+void Progress::finish(const Stand& now) {
+    now_ = now;
+    pace_.note(now, timer_.seconds());
     if (is_quiet_) {
         return;
     }
-    print(step, steps_left, time);
+    print();
     if (is_terminal_) {
         fmt::print("\n");
     }

@@ -11,7 +11,7 @@ namespace riprap::run {
 /// Cost of a run on this machine, by its first steps: later ones cost more where water breaks or a pile falls apart.
 struct RunCost {
     std::int64_t particles{0}, free_bodies{0};
-    std::int64_t steps{0};       ///< to the end, at the first step's length
+    std::int64_t steps{0};       ///< to the end, at the length of those that were taken
     double seconds_per_step{0};  ///< median [s]
     std::string refusal;         ///< what the first steps were refused for; empty where they were not
     double seconds() const { return static_cast<double>(steps) * seconds_per_step; }

@@ -157,7 +157,7 @@ scene::LoadedCase dry_case(const scene::LoadedCase& loaded) {
 
 }  // namespace
 
-void settle(scene::LoadedCase& loaded, sim::State& state) {
+void settle(scene::LoadedCase& loaded, sim::State& state, const SettleWatch& watch) {
     scene::LoadedCase without_water = dry_case(loaded);
     change_method(without_water.model, without_water.state, settling_of(loaded));
     Simulation dry(std::move(without_water));
@@ -170,6 +170,9 @@ void settle(scene::LoadedCase& loaded, sim::State& state) {
                                           outcome.why.with_remedy());
             problem.allowed = "bodies that start closer to rest, or settle = 0";
             throw CaseError(std::move(problem));
+        }
+        if (watch) {
+            watch(dry.state().step, dry.steps_left() > 0 ? dry.state().time : dry.end(), dry.end());
         }
     }
     const double speed = dry.report().max_speed;

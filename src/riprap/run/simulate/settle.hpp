@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <functional>
+
 #include "riprap/scene/read_case.hpp"
 
 namespace riprap::run {
+
+/// Told after each step of settling: which, its time and that of the last one [s].
+using SettleWatch = std::function<void(std::int64_t step, double time, double end)>;
 
 /// Lets the free bodies of a case come to rest before time 0, for TimeSettings::settle, as if there were no water:
 /// armour settles dry. Free bodies start from rest, driven ones stand where they start, nothing is released, and loads
@@ -13,6 +19,6 @@ namespace riprap::run {
 /// is resumed settles again, to the same bits. A warning says how fast the fastest body still moves where that is above
 /// a centimetre a second.
 /// @throws CaseError where bodies cannot settle
-void settle(scene::LoadedCase& loaded, sim::State& state);
+void settle(scene::LoadedCase& loaded, sim::State& state, const SettleWatch& watch = {});
 
 }  // namespace riprap::run

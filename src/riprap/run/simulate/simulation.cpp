@@ -11,7 +11,6 @@
 #include "riprap/run/remedy/end_causes.hpp"
 #include "riprap/run/simulate/ledger_verdict.hpp"
 #include "riprap/run/simulate/passage_verdict.hpp"
-#include "riprap/run/simulate/settle.hpp"
 #include "riprap/run/simulate/state_hash.hpp"
 #include "riprap/run/simulate/step_choice.hpp"
 #include "riprap/sim/ledger_account.hpp"
@@ -19,13 +18,13 @@
 
 namespace riprap::run {
 
-Simulation::Simulation(scene::LoadedCase loaded)
+Simulation::Simulation(scene::LoadedCase loaded, const SettleWatch& settling)
     : loaded_(std::move(loaded)),
       initial_(loaded_.state),
       bound_(sim::time_step_bound(loaded_.model, loaded_.state)),
       watch_(loaded_.model) {
     if (model().time.settle > 0) {
-        settle(loaded_, initial_);
+        settle(loaded_, initial_, settling);
     }
     sim::initialise(model(), initial_);
     state_ = initial_;

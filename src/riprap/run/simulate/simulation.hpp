@@ -9,6 +9,7 @@
 #include "riprap/run/simulate/good_state.hpp"
 #include "riprap/run/simulate/passage_verdict.hpp"
 #include "riprap/run/simulate/restart.hpp"
+#include "riprap/run/simulate/settle.hpp"
 #include "riprap/run/simulate/summary.hpp"
 #include "riprap/scene/read_case.hpp"
 #include "riprap/sim/advance.hpp"
@@ -38,8 +39,8 @@ enum class Use {
 /// not on who asks for them, in what portions, where max_steps or a signal stopped the run or with how many threads.
 class Simulation {
  public:
-    /// At time 0. @throws CaseError
-    explicit Simulation(scene::LoadedCase loaded);
+    /// At time 0, after bodies have settled, of which `settling` is told. @throws CaseError
+    explicit Simulation(scene::LoadedCase loaded, const SettleWatch& settling = {});
     Simulation(const Simulation&) = delete;  // who watches the expected answers keeps a reference to the Model
     Simulation& operator=(const Simulation&) = delete;
     ~Simulation() = default;
@@ -72,8 +73,6 @@ class Simulation {
     std::int64_t max_steps() const { return model().time.max_steps; }
     std::int64_t steps_left() const;
     bool is_at_end() const { return next_.steps_left == 0; }  ///< in time; max_steps may stop it earlier
-    /// To the end, whatever max_steps says.
-    std::int64_t steps_to_end() const { return next_.steps_left; }
     const StepCounts& counts() const { return counts_; }
     double next_dt() const { return next_.dt; }  ///< of the step that comes next [s]
     bool next_is_last() const;                   ///< of this process: the end, or where max_steps stops it
