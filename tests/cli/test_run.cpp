@@ -50,7 +50,8 @@ TEST_F(Runs, EveryExampleGetsThroughItsFirstStepsWithItsLedgerLookedAt) {
     EXPECT_GE(count, 10);
 }
 
-// The breakwater once lost a unit, and later ended in a pocket of water that its units closed; nobody ran it to its end.
+// The breakwater once lost a unit, and later ended in a pocket of water that its units closed; nobody ran it to its
+// end.
 TEST_F(Runs, EveryExampleGivesTheAnswersThatItExpects) {
     std::vector<std::string> names{"arch", "armour_unit", "breakwater", "dam_break", "hello_block", "sliding_block"};
     if (std::getenv("RIPRAP_FULL") != nullptr) {  // half an hour

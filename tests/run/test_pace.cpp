@@ -38,7 +38,7 @@ TEST(Pace, OfARunWhoseStepsAreAllAlikeIsExactFromTheFirstStepOn) {
 TEST(Pace, FollowsStepsThatGetShorterAndDearerWithinATenthOfTheRun) {
     Pace pace({0, 0, end});
     Course course{pace};
-    course.go(500, 0.01, 0.001);  // half of the run in half a second
+    course.go(500, 0.01, 0.001);    // half of the run in half a second
     course.go(1000, 0.001, 0.004);  // a tenth in 4 s: 40 s for a run
     EXPECT_NEAR(pace.seconds_left(), 4 * 4.0, 1e-6);
 }
