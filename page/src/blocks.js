@@ -92,10 +92,13 @@ export class Blocks {
     this.up = upOf(contents);
     const bodies = contents.bodies;
     const isFixed = body => first.motion[MOTION * body + 9] === 0;
+    this.dry = new Set(bodies.dry ?? []);  // bodies that the water goes through
     shapes.forEach((shape, s) => {
       if (shape.faces.length > 1) {
         const members = bodies.shape.flatMap((of, body) => of === s ? [body] : []);
-        this.#add(shape, members.filter(body => !isFixed(body)));
+        for (const isDry of [true, false]) {
+          this.#add(shape, members.filter(body => !isFixed(body) && this.dry.has(body) === isDry));
+        }
         const whole = contents.is_planar ? shape : welded(shape);
         if (!contents.is_planar && isOpen(whole)) {
           this.#addGround(whole, members.filter(isFixed));
@@ -285,6 +288,19 @@ export class Blocks {
       mesh.material.needsUpdate = true;
       edges.material.uniforms.opacity.value = isFaint ? 0.3 : 0.8;
     }
+  }
+
+  /** Draws what water does not go through by itself. */
+  drawnAlone(draw) {
+    const hidden = [];
+    this.meshes.forEach((mesh, k) => {
+      if (mesh.userData.isPlane || this.dry.has(mesh.userData.members[0])) {
+        hidden.push(...[mesh, this.lines[k]].filter(one => one.visible));
+      }
+    });
+    hidden.forEach(one => { one.visible = false; });
+    draw();
+    hidden.forEach(one => { one.visible = true; });
   }
 
   /** The body under a ray, or -1. */

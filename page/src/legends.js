@@ -14,20 +14,25 @@ function namesFigure(heading, names) {
   const figure = document.createElement('figure');
   figure.className = 'names';
   figure.innerHTML = `<figcaption>${heading}</figcaption>`;
-  for (const [name, colour] of names) {
+  for (const [name, colour, style] of names) {
     const entry = document.createElement('span');
-    entry.innerHTML = `<i style="background:${css(colour)}"></i>`;
+    const fill = style === 'hatched' ? `repeating-linear-gradient(135deg, ${css(colour)} 0 1px, transparent 1px 4px)` : css(colour);
+    entry.innerHTML = `<i style="background:${fill}"></i>`;
     entry.append(name);  // of the case: a text, not markup
     figure.append(entry);
   }
   return figure;
 }
 
-export function showLegends(parent, {particles, surface, stillWater, blocks, forces, isPlanar}) {
+export function showLegends(parent, {particles, surface, stillWater, porous, blocks, forces, isPlanar}) {
   parent.replaceChildren();
   const water = surface?.isOn ? surface.colour : stillWater ? stillWater.colour : undefined;
-  if (water !== undefined) {
-    parent.append(namesFigure('water', [[surface?.isOn ? 'surface' : 'still water', water]]));
+  const names = water === undefined ? [] : [[surface?.isOn ? 'surface' : 'still water', water]];
+  if (porous) {
+    names.push([porous.name, porous.colour, 'hatched']);
+  }
+  if (names.length > 0) {
+    parent.append(namesFigure('water', names));
   }
   if (particles?.points.visible) {
     const {label, unit, low, high} = particles.range();

@@ -9,6 +9,7 @@ import {Forces} from './forces.js';
 import {FIELD_OF_VIEW, boundsOf, cornersOf, directionOf, fit, lengthOf, upOf} from './framing.js';
 import {Gauges} from './gauges.js';
 import {Particles} from './particles.js';
+import {PorousZones} from './porous.js';
 import {StillWater} from './still_water.js';
 import {WaterSurface} from './surface.js';
 
@@ -81,6 +82,10 @@ export class Scene {
       this.particles = new Particles(contents.water);
       this.root.add(this.particles.points);
       this.surface = new WaterSurface(this.particles, contents.is_planar);
+    }
+    if (contents.porous?.length > 0) {
+      this.porous = new PorousZones(contents.porous, this.size);
+      this.root.add(this.porous.lines);
     }
     if (contents.still_water) {
       this.stillWater = new StillWater(contents.still_water, this.up, this.box, this.size);
@@ -201,6 +206,9 @@ export class Scene {
       this.#drawOnly(looseOnes);
     }
     this.surface?.draw(renderer, camera, this.up);
+    if (this.isPlanar && this.surface?.isOn && !this.blocks?.isGlass) {
+      this.#drawBeforeWater(looseOnes);
+    }
     const picked = this.blocks?.pickedMesh();
     if (picked) {
       picked.applyMatrix4(this.root.matrix);
@@ -244,6 +252,17 @@ export class Scene {
     if (blocks) {
       blocks.group.visible = true;
     }
+  }
+
+  /** In a planar scene bodies lie before the water, but for those that it goes through. */
+  #drawBeforeWater(looseOnes) {
+    const {renderer, blocks} = this, others = [...looseOnes, this.stillWater?.group].filter(one => one?.visible);
+    others.forEach(one => { one.visible = false; });
+    renderer.autoClear = renderer.shadowMap.autoUpdate = false;
+    const draw = () => renderer.render(this.world, this.camera);
+    blocks ? blocks.drawnAlone(draw) : draw();
+    renderer.autoClear = renderer.shadowMap.autoUpdate = true;
+    others.forEach(one => { one.visible = true; });
   }
 
   /** Balls of water become tall where heights are stretched; from above they stay round. */
@@ -305,6 +324,7 @@ export class Scene {
     this.blocks?.setTheme(theme);
     this.surface?.setTheme(theme);
     this.gauges.setTheme(theme);
+    this.porous?.setTheme(theme);
     this.redraw();
   }
 

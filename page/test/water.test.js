@@ -238,3 +238,49 @@ test('of a page that was cut, what is there is shown and what is not is told', a
     }
   }
 });
+
+test('in a planar scene bodies lie before the water, stones that it goes through behind it, hatched', async () => {
+  // A tank of 4 m x 2 m, full to 1.5 m: a porous heap at the right, and a block at the left whose cells are half cut.
+  const text = `dimension = 2
+gravity = [0.0, -9.81]
+end = 0.02
+[material.stone]
+density = 2400.0
+normal_stiffness = 1e7
+[fluid]
+method = "grid"
+spacing = 0.2
+domain = { low = [0.0, 0.0], high = [4.0, 2.0] }
+[[fluid.region]]
+level = 1.5
+[[fluid.porous]]
+shape = { polygon = [[2.0, 0.0], [4.0, 0.0], [4.0, 1.2], [2.0, 1.2]] }
+porosity = 0.4
+grain_size = 0.1
+linear = 50.0
+quadratic = 2.0
+[[body]]
+name = "heap"
+shape = { polygon = [[2.0, 0.0], [4.0, 0.0], [4.0, 1.2], [2.0, 1.2]] }
+material = "stone"
+fixed = true
+wet = false
+[[body]]
+name = "block"
+shape = { polygon = [[0.7, 0.35], [1.28, 0.35], [1.28, 0.93], [0.7, 0.93]] }
+material = "stone"
+fixed = true
+`;
+  const file = join(stage.folder, 'porous.toml');
+  writeFileSync(file, text);
+  const flat = await stage.visit(stage.run('porous', file, []));
+  const places = [[0.72, 0.64], [1.0, 0.64], [0.66, 0.64], [0.4, 0.64], [3.0, 0.6]];
+  const pixels = await flat.evaluate(all => all.map(([x, y]) => window.riprap.scene.pixelOf([x, y, 0])), places);
+  const {colours: [edge, middle, beside, water, heap], background} = await lookAt(flat, pixels);
+  assert.ok(!differs(edge, middle), `the block is one colour up to its edge: ${edge}, ${middle}`);
+  assert.ok(!differs(beside, water), `beside it there is water: ${beside}, ${water}`);
+  assert.ok(differs(water, background) && differs(heap, middle), 'water lies over the heap');
+  assert.match(await flat.textContent('#legends'), /porous, 40 % voids/);
+  assert.ok(await flat.evaluate(() => window.riprap.scene.porous.lines.geometry.getAttribute('position').count > 40));
+  await flat.close();
+});

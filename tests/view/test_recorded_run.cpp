@@ -293,5 +293,34 @@ TEST_F(ARunFolder, WhoseListPointsElsewhereIsNotFollowed) {
     }
 }
 
+TEST_F(ARunFolder, TellsWhichBodiesWaterGoesThroughAndTheStonesThatItFlowsThrough) {
+    RecordedRun run = read_run(run_);
+    EXPECT_THAT(run.dry_names, IsEmpty());
+    std::ofstream(run_ / "resolved.toml") << R"(dimension = 2
+[[fluid.porous]]
+shape = { polygon = [[0, 0], [2, 0], [2, 1]] }
+position = [1.0, 0.5]
+porosity = 0.45
+[[fluid.porous]]
+shape = { disc = 1.0 }
+porosity = 0.3
+[[body]]
+name = "core"
+wet = false
+[[body]]
+name = "corepiece"
+wet = true
+)";
+    run = read_run(run_);
+    EXPECT_THAT(run.dry_names, ElementsAre("core"));
+    ASSERT_EQ(run.porous.size(), 1U);  // a disc is not hatched
+    EXPECT_EQ(run.porous[0].porosity, 0.45);
+    ASSERT_EQ(run.porous[0].corners.size(), 3U);
+    EXPECT_EQ(run.porous[0].corners[2].x, 3);
+    EXPECT_EQ(run.porous[0].corners[2].y, 1.5);
+    run.body_names = {"core[0]", "corepiece", "core", "else"};
+    EXPECT_EQ(nlohmann::json::parse(pack_run(run, plenty).contents_json)["bodies"]["dry"], (nlohmann::json{0, 2}));
+}
+
 }  // namespace
 }  // namespace riprap::view

@@ -70,6 +70,32 @@ double level_at(const std::vector<StillWater::LevelAt>& rows, double time) {
     return before.level + (next->level - before.level) * (time - before.time) / (next->time - before.time);
 }
 
+/// Numbers of the bodies that water does not see.
+std::vector<std::size_t> dry_bodies(const RecordedRun& run) {
+    std::vector<std::size_t> dry;
+    for (std::size_t b = 0; b < run.body_names.size(); ++b) {
+        const std::string& name = run.body_names[b];
+        const std::string whole = name.substr(0, name.rfind('['));
+        const auto is_of = [&](const std::string& other) { return other == name || other == whole; };
+        if (std::ranges::any_of(run.dry_names, is_of)) {
+            dry.push_back(b);
+        }
+    }
+    return dry;
+}
+
+Json porous_json(const std::vector<PorousZone>& zones) {
+    Json list = Json::array();
+    for (const PorousZone& zone : zones) {
+        Json corners = Json::array();
+        for (const Vec3& x : zone.corners) {
+            corners.push_back({x.x, x.y});
+        }
+        list.push_back({{"corners", corners}, {"porosity", zone.porosity}});
+    }
+    return list;
+}
+
 /// Basins of still water, and the level of every frame where a table gives it.
 Json still_water_json(const StillWater& water, const std::vector<double>& times) {
     if (water.basins.empty()) {
@@ -311,6 +337,7 @@ class Packer {
                   {"contacts", contact_counts_},
                   {"water", water_},
                   {"still_water", still_water_json(run_.still_water, times)},
+                  {"porous", porous_json(run_.porous)},
                   {"tables", tables_},
                   {"warnings", run_.warnings},
                   {"notices", content_.notices},
@@ -330,6 +357,7 @@ class Packer {
                               {"most_contact_force", extremes_.contact},
                               {"shown", shown_json(bodies_, extremes_)},
                               {"names", has_names ? Json(run_.body_names) : Json()},
+                              {"dry", dry_bodies(run_)},
                               {"mass", has_names ? Json(run_.body_mass) : Json()}};
         }
         return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -119,6 +119,48 @@ void read_still_water(const scene::Value* fluid, StillWater& water) {
     }
 }
 
+/// Bodies that water goes through; copies of one have a number after its name.
+void read_dry_names(const scene::Value* bodies, std::vector<std::string>& names) {
+    if (bodies == nullptr || !bodies->is_array()) {
+        return;
+    }
+    for (const scene::Value& body : bodies->items) {
+        const scene::Value *wet = body.is_table() ? body.find("wet") : nullptr,
+                           *name = body.is_table() ? body.find("name") : nullptr;
+        if (wet != nullptr && wet->kind == scene::ValueKind::boolean && !wet->boolean && name != nullptr &&
+            name->is_text()) {
+            names.push_back(name->text);
+        }
+    }
+}
+
+/// Zones of a planar scene that are polygons where they stand, without a turn.
+void read_porous(const scene::Value* fluid, std::vector<PorousZone>& zones) {
+    const scene::Value* all = fluid != nullptr && fluid->is_table() ? fluid->find("porous") : nullptr;
+    if (all == nullptr || !all->is_array()) {
+        return;
+    }
+    for (const scene::Value& one : all->items) {
+        const scene::Value* shape = one.is_table() ? one.find("shape") : nullptr;
+        const scene::Value* polygon = shape != nullptr && shape->is_table() ? shape->find("polygon") : nullptr;
+        if (polygon == nullptr || !polygon->is_array() || one.find("orientation") != nullptr) {
+            continue;
+        }
+        PorousZone zone;
+        zone.porosity = number_at(one, "porosity").value_or(0);
+        Vec3 origin{};
+        read_vector(one.find("position"), origin);
+        for (const scene::Value& item : polygon->items) {
+            if (Vec3 corner; read_vector(&item, corner)) {
+                zone.corners.push_back(origin + corner);
+            }
+        }
+        if (zone.corners.size() >= 3) {
+            zones.push_back(std::move(zone));
+        }
+    }
+}
+
 }  // namespace
 
 void read_resolved(RecordedRun& run, const std::filesystem::path& path) {
@@ -145,6 +187,10 @@ void read_resolved(RecordedRun& run, const std::filesystem::path& path) {
     run.gravity = run.gravity_law.value;
     read_gauges(root.find("output"), run.gauges);
     read_still_water(root.find("fluid"), run.still_water);
+    read_dry_names(root.find("body"), run.dry_names);
+    if (run.is_planar) {
+        read_porous(root.find("fluid"), run.porous);
+    }
 }
 
 }  // namespace riprap::view

@@ -20,7 +20,7 @@ bool is_there(const std::filesystem::path& path);
 /// Reads one part; a file or folder that cannot be read becomes a notice of the run.
 void attempt(RecordedRun& run, const std::function<void()>& part);
 
-/// Reads title, materials, gravity, gauges and still water of the resolved case.
+/// Reads title, materials, gravity, gauges, still water, porous zones and dry bodies of the resolved case.
 void read_resolved(RecordedRun& run, const std::filesystem::path& path);
 
 /// Reads how the run ended, and its warnings: from the summary, and from the log where that is missing.

@@ -38,6 +38,12 @@ struct StillWater {
     std::vector<LevelAt> levels;  ///< of all basins, times ascending; empty = each keeps its own
 };
 
+/// Stones that water flows through, of a planar scene: corners in order [m].
+struct PorousZone {
+    std::vector<Vec3> corners;
+    double porosity{0};  ///< [-]
+};
+
 /// A run folder without the content of its frames.
 struct RecordedRun {
     std::filesystem::path root;
@@ -55,6 +61,8 @@ struct RecordedRun {
     body::Gravity gravity_law;              ///< gravity over time
     std::vector<GaugePlace> gauges;         ///< fixed in space
     StillWater still_water;                 ///< no basin: there is none
+    std::vector<std::string> dry_names;     ///< of bodies of the case that water does not see (wet = false)
+    std::vector<PorousZone> porous;
     bool is_planar{false};
     std::vector<std::string> warnings;  ///< of the run itself, about its results
     std::vector<std::string> notices;   ///< what could not be read, for the user

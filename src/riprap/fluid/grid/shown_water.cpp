@@ -83,7 +83,7 @@ ShownFluid show_water(const GridSettings& settings, const GridState& state, cons
             for (int i = 0; i < box.cells[0]; ++i) {
                 const std::int64_t c = box.index(i, j, k);
                 const double fraction = state.fraction[at(c)];
-                if (fraction < 1e-3 || (open.has_bodies && open.volume[at(c)] < 0.5)) {
+                if (fraction < 1e-3 || (open.has_bodies && !(open.volume[at(c)] > 0))) {
                     continue;
                 }
                 Vec3 place = mesh.centre(i, j, k);
