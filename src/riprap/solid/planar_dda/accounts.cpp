@@ -7,6 +7,7 @@
 #include "riprap/core/index.hpp"
 #include "riprap/solid/planar_dda/assemble.hpp"
 #include "riprap/solid/planar_dda/plane.hpp"
+#include "riprap/solid/planar_dda/round_touch.hpp"
 
 namespace riprap::solid::planar_dda {
 
@@ -134,6 +135,11 @@ double contact_energy(const Model& model, const State& state, const std::vector<
         }
         const std::int32_t a = model.corner_block[at(corner)], b = model.corner_block[at(edge)];
         const affine::Surface& joint = model.joint(a, b);
+        if (is_round(model, corner)) {
+            sum += half_square(joint.normal_stiffness, touch_round(model, state, corners, corner, edge).gap) +
+                   half_square(joint.shear_stiffness, state.contact_lock[k]);
+            continue;
+        }
         const CornerAndEdge where{corners[at(corner)],
                                   corners[at(edge)],
                                   corners[at(model.corner_next[at(edge)])],

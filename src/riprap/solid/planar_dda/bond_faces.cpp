@@ -20,7 +20,8 @@ void bond_faces(const Model& model, const Settings& settings, State& state) {
     clear_contacts(state);
     for (const Contact& contact : contacts) {
         const bool is_on_edge = contact.foot >= -foot_slack && contact.foot <= 1 + foot_slack;
-        if (contact.joint.has_bond() && is_on_edge && std::abs(contact.gap.value) <= contact.bond_slip) {
+        if (contact.joint.has_bond() && !contact.is_round && is_on_edge &&
+            std::abs(contact.gap.value) <= contact.bond_slip) {
             keep_contact(contact, {.mode = Mode::locked, .is_bonded = true}, contact.foot, state);
         }
     }

@@ -24,6 +24,7 @@ struct Scene {
     const Settings& settings;
     const std::vector<Vec2>& corners;
     double reach;
+    double dt;  ///< of the step, 0 = of none [s]
 
     Vec2 place(std::int32_t corner) const { return corners[at(corner)]; }
     std::int32_t next(std::int32_t corner) const { return model.corner_next[at(corner)]; }

@@ -6,6 +6,7 @@
 
 #include "riprap/core/index.hpp"
 #include "riprap/solid/planar_dda/entrances.hpp"
+#include "riprap/solid/planar_dda/round_touch.hpp"
 
 namespace riprap::solid::planar_dda {
 
@@ -124,6 +125,7 @@ Contact make_contact(const Scene& scene, std::int32_t corner, std::int32_t edge,
     contact.joint.shear_stiffness *= share;
     contact.edge_length = norm(where.end - where.begin);
     contact.foot = foot_of(where);
+    contact.place = where.corner;
     contact.gap = gap_of(where);
     remember(scene, contact, where);
     contact.slip = slip_of(where, contact.lock);
@@ -135,13 +137,17 @@ Contact make_contact(const Scene& scene, std::int32_t corner, std::int32_t edge,
     return contact;
 }
 
+/// A circle lies outside of its polygon of 64 sides by less than this share of its radius.
+constexpr double outside_of_polygon = 1e-3;
+
 ContactSearch::Box box_of(const Model& model, const std::vector<Vec2>& corners, std::int32_t block) {
     ContactSearch::Box box{1e300, -1e300, 1e300, -1e300};
     for (std::int32_t k = model.corner_begin[at(block)]; k < model.corner_begin[at(block + 1)]; ++k) {
         const Vec2& p = corners[at(k)];
         box = {std::min(box.left, p.x), std::max(box.right, p.x), std::min(box.low, p.y), std::max(box.high, p.y)};
     }
-    return box;
+    const double bulge = outside_of_polygon * model.round_radius[at(block)];
+    return {box.left - bulge, box.right + bulge, box.low - bulge, box.high + bulge};
 }
 
 /// Corners of block i against edges and corners of block j.
@@ -207,17 +213,20 @@ void find_pairs(const Model& model, const std::vector<Vec2>& corners, double rea
 }
 
 void find_contacts(const Model& model, const State& state, const Settings& settings, const std::vector<Vec2>& corners,
-                   ContactSearch& search, std::vector<Contact>& contacts) {
-    const Scene scene{model, state, settings, corners, 2.5 * settings.displacement_limit};
+                   ContactSearch& search, std::vector<Contact>& contacts, double dt) {
+    const Scene scene{model, state, settings, corners, 2.5 * settings.displacement_limit, dt};
     find_pairs(model, corners, scene.reach, search);
     search.wanted.clear();
     search.vetoed.clear();
     search.twins.clear();
     const Seams seams(scene, search);
     for (const auto& [i, j] : search.pairs) {
-        find_of_pair(scene, seams, i, j, search);
-        find_of_pair(scene, seams, j, i, search);
+        if (model.round_radius[at(i)] == 0 && model.round_radius[at(j)] == 0) {
+            find_of_pair(scene, seams, i, j, search);
+            find_of_pair(scene, seams, j, i, search);
+        }
     }
+    find_round(scene, search);
     std::sort(search.wanted.begin(), search.wanted.end());
     search.wanted.erase(std::unique(search.wanted.begin(), search.wanted.end()), search.wanted.end());
     std::sort(search.vetoed.begin(), search.vetoed.end());
@@ -227,11 +236,15 @@ void find_contacts(const Model& model, const State& state, const Settings& setti
     std::sort(search.twins.begin(), search.twins.end());
     contacts.clear();
     for (const std::uint64_t key : search.wanted) {
+        const auto corner = static_cast<std::int32_t>(key >> 32), edge = static_cast<std::int32_t>(key & 0xffffffffU);
+        if (is_round(model, corner)) {
+            contacts.push_back(make_round_contact(scene, search, corner, edge));
+            continue;
+        }
         const auto twin = std::lower_bound(search.twins.begin(), search.twins.end(), std::pair{key, std::uint64_t{0}});
         const bool is_shared = twin != search.twins.end() && twin->first == key &&
                                std::binary_search(search.wanted.begin(), search.wanted.end(), twin->second);
-        contacts.push_back(make_contact(scene, static_cast<std::int32_t>(key >> 32),
-                                        static_cast<std::int32_t>(key & 0xffffffffU), is_shared ? 0.5 : 1.0));
+        contacts.push_back(make_contact(scene, corner, edge, is_shared ? 0.5 : 1.0));
     }
 }
 

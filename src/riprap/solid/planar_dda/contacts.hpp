@@ -13,6 +13,7 @@ struct Contact {
     std::int32_t corner{-1}, edge{-1}, a{-1}, b{-1};
     Mode mode{Mode::open};
     bool is_bonded{false};
+    bool is_round{false};     ///< of a disc; see round_touch.hpp
     double lock{0};           ///< see State::contact_lock [-]
     double multiplier{0};     ///< [N]
     double plastic_slip{0};   ///< see State::contact_plastic_slip [m]
@@ -23,6 +24,7 @@ struct Contact {
     double share{1};          ///< of the joint's springs: 1/2 where the edge's corner bears the other half [-]
     double dashpot{0};        ///< [N s/m]
     affine::Surface joint{};  ///< springs times the share
+    Vec2 place{};             ///< where it is shown [m]
     Linear gap{}, slip{};     ///< at the start of the step and what changes them
 };
 
@@ -50,8 +52,10 @@ void find_pairs(const Model& model, const std::vector<Vec2>& corners, double rea
 /// near, the bodies overlap when v - w lies in the sum of the cone at w and the mirrored cone at v, whose two bounding
 /// lines run along edges: the line with the larger gap is the entrance [Shi1988], and no other edge at v and w takes
 /// part. Where the two lines are nearly one and either corner stands on the other's edge, both are entrances with half
-/// of the springs each, so that neither block is preferred. Concave corners touch nothing by themselves.
+/// of the springs each, so that neither block is preferred. Concave corners touch nothing by themselves. Contacts of
+/// discs are those of round_touch.hpp.
+/// @param dt  of the step, 0 = of none [s]
 void find_contacts(const Model& model, const State& state, const Settings& settings, const std::vector<Vec2>& corners,
-                   ContactSearch& search, std::vector<Contact>& contacts);
+                   ContactSearch& search, std::vector<Contact>& contacts, double dt = 0);
 
 }  // namespace riprap::solid::planar_dda

@@ -65,6 +65,14 @@ double add_corners(const geometry::Polygon& polygon, const Vec2& centroid, Model
     return perimeter;
 }
 
+/// A body of several parts is the polygon of its outline.
+double round_radius_of(const SolidScene& scene, std::int32_t b) {
+    const std::int32_t first = scene.bodies.part_begin[at(b)];
+    return scene.bodies.part_begin[at(b + 1)] == first + 1
+               ? scene.shapes.view(scene.bodies.parts[at(first)].shape).round_radius
+               : 0;
+}
+
 void add_to_model(const SolidScene& scene, std::int32_t b, const geometry::Polygon& polygon, Model& model) {
     const geometry::PolygonMoments moments = geometry::moments_of(polygon);
     const MaterialId material = scene.bodies.material[at(b)];
@@ -77,6 +85,7 @@ void add_to_model(const SolidScene& scene, std::int32_t b, const geometry::Polyg
     model.moment_yy.push_back(moments.yy / moments.area);
     model.moment_xy.push_back(moments.xy / moments.area);
     model.width.push_back(2 * moments.area / perimeter);
+    model.round_radius.push_back(round_radius_of(scene, b));
     model.offset.push_back(moments.centroid);
     model.names.push_back(scene.bodies.name(BodyId{b}));
 }

@@ -31,6 +31,8 @@ struct Model {
     std::vector<double> width;  ///< twice the area over the perimeter: half the side of a square, about the thickness
                                 ///< of a slab [m]
 
+    std::vector<double> round_radius;  ///< per block: of the disc whose outline has its area; 0 = of none [m]
+
     std::vector<Vec2> offset;        ///< of the centroid from the origin of the body, body frame [m]
     std::vector<std::string> names;  ///< of blocks, for messages
 

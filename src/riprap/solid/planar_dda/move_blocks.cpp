@@ -92,7 +92,9 @@ void keep_contacts(const Scratch& scratch, State& state) {
             continue;
         }
         double lock = contact.lock;
-        if (trial.mode == Mode::sliding) {
+        if (contact.is_round) {
+            lock = trial.mode == Mode::sliding ? trial.kept / contact.joint.shear_stiffness : trial.slip;
+        } else if (trial.mode == Mode::sliding) {
             // s = foot - lock along the edge shall be the elastic slip of the friction
             lock += (trial.slip - trial.kept / contact.joint.shear_stiffness) / contact.edge_length;
         }

@@ -26,6 +26,9 @@ double normal_if_closed(const Contact& contact, const Trial& trial, double dt) {
 }
 
 bool is_foot_on_edge(const Contact& contact, const Trial& trial) {
+    if (contact.is_round) {
+        return true;
+    }
     constexpr double slack = 1e-3;
     const double foot = contact.foot + (trial.slip - trial.slip_start) / contact.edge_length;
     return foot >= -slack && foot <= 1 + slack;
@@ -38,7 +41,9 @@ void lock_at_touch(Contact& contact, Trial& trial) {
     const double slipped = trial.slip - trial.slip_start;
     trial.slip_start = -share * slipped;
     trial.slip = trial.slip_start + slipped;
-    contact.lock = contact.foot - trial.slip_start / contact.edge_length;
+    if (!contact.is_round) {
+        contact.lock = contact.foot - trial.slip_start / contact.edge_length;
+    }
 }
 
 void count_change(Changes& changes, Trial& trial, std::size_t k) {

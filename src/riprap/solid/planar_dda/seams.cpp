@@ -145,7 +145,8 @@ Seams::Seam Seams::find(std::int32_t stander, std::int32_t other) const {
         for (std::int32_t k = begin_[at(block)]; k < begin_[at(block + 1)]; ++k) {
             const std::int32_t third = neighbour_[at(k)];
             const bool moves = model.is_fixed[at(third)] == 0 || model.is_fixed[at(a)] == 0;
-            if (third != a && third != b && moves && is_near(stander, third)) {
+            const bool has_faces = model.round_radius[at(third)] == 0;
+            if (third != a && third != b && moves && has_faces && is_near(stander, third)) {
                 look_at(third, stander, other, seam);
             }
         }

@@ -58,9 +58,8 @@ std::vector<contact::ShownContact> PlanarDda::contacts(const SolidScene& /*scene
         if (trial.mode == Mode::open) {
             continue;
         }
-        const Vec2& corner = engine.corners[at(c.corner)];
         const Vec3 away{c.gap.a[0], c.gap.a[1], 0}, along{c.slip.a[0], c.slip.a[1], 0};
-        shown.push_back(contact::shown_contact(BodyId{c.a}, BodyId{c.b}, {corner.x, corner.y, 0},
+        shown.push_back(contact::shown_contact(BodyId{c.a}, BodyId{c.b}, {c.place.x, c.place.y, 0},
                                                trial.normal * away + shear_of(c, trial) * along, -1.0 * away));
         shown.back().overlap = std::max(0.0, -trial.gap);
         shown.back().is_sliding = trial.mode == Mode::sliding;

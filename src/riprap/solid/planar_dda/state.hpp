@@ -37,9 +37,9 @@ struct State {
 
     std::vector<std::int32_t> contact_corner, contact_edge;  ///< sorted by corner, then edge
     std::vector<std::uint8_t> contact_mode, contact_is_bonded;
-    std::vector<double>
-        contact_lock;  ///< place of the lock point along its edge, from its end (0) to its begin (1) [-]
-    std::vector<double> contact_share;         ///< see Contact::share [-]
+    std::vector<double> contact_lock;   ///< place of the lock point along its edge, from its end (0) to its begin (1)
+                                        ///< [-]; of a disc its slip [m]
+    std::vector<double> contact_share;  ///< see Contact::share [-]
     std::vector<double> contact_multiplier;    ///< [N]
     std::vector<double> contact_plastic_slip;  ///< by which a bond has slid at its strength so far [m]
     std::vector<double> contact_force;         ///< normal force at the end of the last step [N]

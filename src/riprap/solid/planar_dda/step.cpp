@@ -47,6 +47,9 @@ Outcome solve(const Model& model, const State& state, double dt, bool has_new_ma
 
 /// Names the corner and the edge by their place in their blocks.
 std::string name_of(const Model& model, const Contact& contact) {
+    if (contact.is_round) {
+        return fmt::format("{} and {}", model.name_of(contact.a), model.name_of(contact.b));
+    }
     return fmt::format("corner {} of {} and edge {} of {}", contact.corner - model.corner_begin[at(contact.a)],
                        model.name_of(contact.a), contact.edge - model.corner_begin[at(contact.b)],
                        model.name_of(contact.b));
@@ -210,7 +213,7 @@ Outcome advance(const Model& model, const Settings& settings, const Step& step, 
     report = {};
     Laps laps;
     place_corners(model, state, scratch.corners);
-    find_contacts(model, state, settings, scratch.corners, scratch.search, scratch.contacts);
+    find_contacts(model, state, settings, scratch.corners, scratch.search, scratch.contacts, step.dt);
     set_dashpots(model, state, step.gravity, step.dt, scratch.contacts);
     laps.end(scratch.times.find_contacts);
     number_rows(model, scratch);
