@@ -5,7 +5,7 @@
 #include "checks.hpp"
 #include "few_shapes.hpp"
 #include "riprap/contact/narrowphase/distance_potential_plain.hpp"
-#include "riprap/core/parallel_cuda.hpp"
+#include "riprap/core/parallel_device.hpp"
 #include "riprap/geometry/polyhedra/sharp_edges.hpp"
 #include "seconds_of.hpp"
 
@@ -18,7 +18,7 @@ using riprap::contact::Frame;
 using riprap::contact::NormalContact;
 using riprap::geometry::ConvexView;
 namespace parallel = riprap::parallel;
-using parallel::cuda::DeviceArray;
+using parallel::device::DeviceArray;
 
 /// The arrays of one shape on the device, and a view of them.
 class DeviceShape {
@@ -164,8 +164,8 @@ void time_contacts() {
     const DeviceArray<Placement> placements_there{std::span<const Placement>(placements)};
     DeviceArray<Result> results_there(placements.size());
     const double seconds = seconds_of([&] {
-        parallel::cuda::for_each(n, FindContact{both.views_there.data(), placements_there.data(), results_there.data(),
-                                                DistancePotentialOptions{}});
+        parallel::device::for_each(n, FindContact{both.views_there.data(), placements_there.data(),
+                                                  results_there.data(), DistancePotentialOptions{}});
     });
     std::printf("%lld pairs of blocks, half of them touching: %.3f ms, %.1f ns a pair\n", static_cast<long long>(n),
                 1e3 * seconds, 1e9 * seconds / static_cast<double>(n));
@@ -186,7 +186,7 @@ bool check_contact() {
         DistancePotentialOptions options;
         options.potential = potential;
         parallel::for_each(n, FindContact{views.data(), placements.data(), results.data(), options});
-        parallel::cuda::for_each(
+        parallel::device::for_each(
             n, FindContact{views_there.data(), placements_there.data(), results_there.data(), options});
         std::int64_t touching = 0, overflowing = 0;
         for (const Result& result : results) {

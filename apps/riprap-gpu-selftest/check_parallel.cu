@@ -3,7 +3,7 @@
 #include <random>
 
 #include "checks.hpp"
-#include "riprap/core/parallel_cuda.hpp"
+#include "riprap/core/parallel_device.hpp"
 #include "riprap/core/vec3.hpp"
 
 namespace selftest {
@@ -11,7 +11,7 @@ namespace {
 
 using riprap::Vec3;
 namespace parallel = riprap::parallel;
-using parallel::cuda::DeviceArray;
+using parallel::device::DeviceArray;
 
 /// out[i] = a unit vector and its cross product with a neighbour: square roots, divisions, products and sums.
 struct Directions {
@@ -49,7 +49,7 @@ bool check_loops_and_sums(std::int64_t n) {
     parallel::for_each(n, Directions{input.data(), host.data(), n});
     const DeviceArray<Vec3> device_input{std::span<const Vec3>(input)};
     DeviceArray<Vec3> device(input.size());
-    parallel::cuda::for_each(n, Directions{device_input.data(), device.data(), n});
+    parallel::device::for_each(n, Directions{device_input.data(), device.data(), n});
 
     char name[64];
     std::snprintf(name, sizeof name, "for_each over %lld vectors", static_cast<long long>(n));
@@ -58,10 +58,10 @@ bool check_loops_and_sums(std::int64_t n) {
     const Vec3 largest{1e300, 1e300, 1e300};
     std::snprintf(name, sizeof name, "sum of %lld vectors", static_cast<long long>(n));
     ok &= same_bits<Vec3>(name, {parallel::sum(n, Entry{input.data()})},
-                          {parallel::cuda::sum(n, Entry{device_input.data()})});
+                          {parallel::device::sum(n, Entry{device_input.data()})});
     std::snprintf(name, sizeof name, "reduce, smallest of %lld vectors", static_cast<long long>(n));
     ok &= same_bits<Vec3>(name, {parallel::reduce(n, largest, Entry{input.data()}, Smallest{})},
-                          {parallel::cuda::reduce(n, largest, Entry{device_input.data()}, Smallest{})});
+                          {parallel::device::reduce(n, largest, Entry{device_input.data()}, Smallest{})});
     return ok;
 }
 
@@ -73,7 +73,7 @@ bool check_scan(std::size_t n) {
     }
     DeviceArray<std::int32_t> device{std::span<const std::int32_t>(host)};
     std::vector<std::int32_t> totals(2);
-    totals[1] = parallel::cuda::exclusive_scan(device, device);
+    totals[1] = parallel::device::exclusive_scan(device, device);
     totals[0] = parallel::exclusive_scan<std::int32_t>(host, host);
     bool ok = same_bits("exclusive_scan in place", host, device.download());
     ok &= same_bits<std::int32_t>("exclusive_scan, total", {totals[0]}, {totals[1]});
@@ -91,7 +91,7 @@ bool check_sort(std::size_t n) {
     DeviceArray<std::uint64_t> device_keys{std::span<const std::uint64_t>(keys)};
     DeviceArray<std::uint32_t> device_values{std::span<const std::uint32_t>(values)};
     parallel::sort_by_key(keys, values, scratch_keys, scratch_values);
-    parallel::cuda::sort_by_key(device_keys, device_values);
+    parallel::device::sort_by_key(device_keys, device_values);
     bool ok = same_bits("sort_by_key, keys", keys, device_keys.download());
     ok &= same_bits("sort_by_key, values of equal keys in their old order", values, device_values.download());
     return ok;

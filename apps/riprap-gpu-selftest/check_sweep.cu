@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums over neighbours: the same functors on the device, on the host in float, and in the plain double sweep.
 #include "checks.hpp"
-#include "riprap/core/parallel_cuda.hpp"
+#include "riprap/core/parallel_device.hpp"
 #include "riprap/fluid/particle/sweep/cell_sweep.hpp"
 #include "some_water.hpp"
 
@@ -41,7 +41,7 @@ bool check_sweep() {
     const Water water = some_water(24);
     const riprap::fluid::SweepReach reach{2 * water.constants.smoothing_length, water.domain};
     const std::vector<float> sums = sum_up<riprap::parallel::Host>(water, reach);
-    const std::vector<float> sums_there = sum_up<riprap::parallel::cuda::Device>(water, reach);
+    const std::vector<float> sums_there = sum_up<riprap::parallel::device::Device>(water, reach);
     const bool ok = same_bits("accelerations of 13 824 particles of water", sums, sums_there);
     const double difference = difference_from_plain(water, reach, sums_there);
     std::printf("%-58s %.1e of the largest\n", "their difference from the plain double sweep", difference);

@@ -8,15 +8,15 @@
 #include <string_view>
 
 #include "checks.hpp"
-#include "riprap/core/parallel_cuda.hpp"
+#include "riprap/core/parallel_device.hpp"
 
 int main(int count, char** words) {
-    if (riprap::parallel::cuda::device_count() == 0) {
+    if (riprap::parallel::device::device_count() == 0) {
         std::printf("riprap-gpu-selftest: no CUDA device on this machine; nothing was tested\n");
         return 77;
     }
     try {
-        std::printf("device: %s\n", riprap::parallel::cuda::device_name().c_str());
+        std::printf("device: %s\n", riprap::parallel::device::device_name().c_str());
         bool ok = selftest::check_parallel();
         ok &= selftest::check_contact();
         ok &= selftest::check_sweep();

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <vector>
 
-#include "riprap/core/parallel_cuda.hpp"
+#include "riprap/core/parallel_device.hpp"
 
 namespace selftest {
 
@@ -14,10 +14,10 @@ template <class Work>
 double seconds_of(const Work& work) {
     std::vector<double> times;
     for (int k = 0; k < 11; ++k) {
-        riprap::parallel::cuda::wait();
+        riprap::parallel::device::wait();
         const auto start = std::chrono::steady_clock::now();
         work();
-        riprap::parallel::cuda::wait();
+        riprap::parallel::device::wait();
         times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
     std::nth_element(times.begin() + 2, times.begin() + 6, times.end());

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "checks.hpp"
-#include "riprap/core/parallel_cuda.hpp"
+#include "riprap/core/parallel_device.hpp"
 #include "riprap/fluid/particle/sweep/cell_sweep.hpp"
 #include "riprap/fluid/sph/continuity.hpp"
 #include "riprap/fluid/sph/device/device_sph.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 using namespace riprap::fluid;
 using riprap::Vec3;
-using riprap::parallel::cuda::Device;
+using riprap::parallel::device::Device;
 
 struct CopyNumbers {
     const double* from;
