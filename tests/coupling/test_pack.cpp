@@ -211,6 +211,49 @@ TEST(Pack, the_surface_stays_where_it_is) {
     EXPECT_NEAR(2 * sum / static_cast<double>(filling.particles.position.size()), 0.8, 0.05 * dp);
 }
 
+// Of a last layer that the surface cuts some cells had a particle, alone on the water: it fell in.
+TEST(Pack, a_surface_that_cuts_cells_has_its_last_layer_packed_below_it) {
+    for (const int dimension : {2, 3}) {
+        for (const double share : {0.3, 0.5, 0.8}) {
+            SCOPED_TRACE(std::to_string(dimension) + ", " + std::to_string(share));
+            Tank tank(dimension);
+            tank.level = 0.6 + share * dp;
+            tank.add_walls();
+            Filling filling = tank.filled();
+            const Packed result = tank.packed(filling);
+            EXPECT_FALSE(filling.misfits.empty());
+            EXPECT_LT(result.unevenness, 1.5e-3);
+            double highest = 0, sum = 0;
+            for (const Vec3& x : filling.particles.position) {
+                highest = std::max(highest, x.y);
+                sum += x.y;
+            }
+            EXPECT_LT(highest, tank.level - 0.3 * dp);
+            EXPECT_NEAR(2 * sum / static_cast<double>(filling.particles.position.size()), tank.level, 0.08 * dp);
+            EXPECT_EQ(filling.particles.position.size(), tank.filled(FillFaces::lattice).particles.position.size());
+        }
+    }
+}
+
+TEST(Pack, a_surface_that_cuts_cells_of_a_dam_without_a_gate_stays_within_its_side) {
+    Tank tank(2);
+    tank.level = 0.625;
+    tank.add_walls();
+    FillRegion left = tank.region();
+    left.pieces = {geometry::moved(geometry::box({0.5, 1, 1}), {{0.25, 0.5, 0}, {}})};
+    const std::vector<FillRegion> regions{{left.pieces, tank.level}};
+    Filling filling = fill(tank.shapes, tank.bodies, tank.state, tank.settings, tank.up, regions, {10'000, 10'000},
+                           FillFaces::fitted);
+    const SampleSet samples = sample_shapes(
+        tank.shapes, tank.bodies, tank.state,
+        {dp, tank.settings.support_radius(), tank.settings.domain, filling.lattice_corner, 1'000'000, {}, {}});
+    pack(tank.shapes, tank.bodies, tank.state, tank.settings, samples, regions, filling);
+    for (const Vec3& x : filling.particles.position) {
+        EXPECT_LT(x.x, 0.5 - 0.2 * dp);
+        EXPECT_LT(x.y, tank.level - 0.2 * dp);
+    }
+}
+
 // Boundary particles of walls thinner than a spacing hold no even count.
 TEST(Pack, leaves_the_lattice_beside_walls_thinner_than_a_spacing) {
     for (const double thickness : {0.75, 1.5}) {
@@ -243,7 +286,6 @@ TEST(Pack, no_particle_comes_through_a_thin_plate) {
 TEST(Pack, a_tank_that_the_lattice_fits_keeps_its_bits) {
     for (const int dimension : {2, 3}) {
         Tank tank(dimension);
-        tank.level = 0.82;
         tank.add_walls();
         tank.add(dimension == 3 ? geometry::cube(0.2) : rectangle(0.1, 0.1), at(0.5, 0.4, 0, dimension == 3 ? 0.3 : 0));
         Filling filling = tank.filled();

@@ -152,14 +152,19 @@ Filling fill(const geometry::ShapeSet& shapes, const body::BodySet& bodies, cons
     if (faces == FillFaces::fitted) {
         at_faces = CutCells(lattice, cut, solids, settings, up, distance);
     }
-    if (!at_faces.empty()) {
+    if (at_faces.has_faces()) {
         begin = count_rows(cells, limit);
         measure_rooms(cut, settings, filling.lattice_corner, solids, up, distance, filling.regions);
-        filling.misfits.assign(at_faces.misfits().begin(), at_faces.misfits().end());
-        filling.air = at_faces.air(packed_depth(settings) + 2 * settings.support_radius());
     } else if (raise_to_volume(cut, settings, filling.lattice_corner, solids, up, distance, filling.regions)) {
         lattice = lattice_over(cut, settings, filling.lattice_corner, up);
         begin = count_rows(cells, limit);
+        if (faces == FillFaces::fitted) {
+            at_faces = CutCells(lattice, cut, solids, settings, up, distance);
+        }
+    }
+    if (!at_faces.empty()) {
+        filling.misfits.assign(at_faces.misfits().begin(), at_faces.misfits().end());
+        filling.air = at_faces.air(packed_depth(settings) + 2 * settings.support_radius());
     }
     place_particles(filling, begin, settings, regions, [&](std::int64_t row, const auto& put) {
         for (std::int64_t i = 0; i < cells.row_length(); ++i) {

@@ -6,6 +6,7 @@
 
 #include "riprap/core/parallel.hpp"
 #include "riprap/coupling/fill_level.hpp"
+#include "riprap/coupling/pack.hpp"
 #include "riprap/coupling/zone.hpp"
 
 namespace riprap::coupling {
@@ -41,14 +42,18 @@ CutCells::CutCells(const Lattice& lattice, std::span<const RegionPlanes> regions
         wide_.first[axis] -= static_cast<double>(before_[at(axis)]) * dp;
     }
     find_cells();
-    if (!empty()) {
+    has_faces_ = !empty();
+    if (has_faces_) {
         fill_cells();
+    } else {
+        cells_.clear();
+        find_surface();
     }
 }
 
 std::array<std::int64_t, 3> CutCells::rim() const {
     std::array<std::int64_t, 3> rim{};
-    for (int axis = 0; axis < 3 && !empty(); ++axis) {
+    for (int axis = 0; axis < 3 && has_faces_; ++axis) {
         rim[at(axis)] = before_[at(axis)] > 0 && !settings_->domain.is_periodic[at(axis)] ? 1 : 0;
     }
     return rim;
@@ -64,7 +69,7 @@ const CutCell* CutCells::in_row(std::int64_t row, std::int64_t i) const {
 const CutCell* CutCells::find(std::int64_t i, std::int64_t j, std::int64_t k) const {
     const std::int64_t b = j + before_[1], c = k + before_[2];
     const bool is_within = b >= 0 && c >= 0 && b < wide_.counts[1] && c < wide_.counts[2];
-    return empty() || !is_within ? nullptr : in_row(c * wide_.counts[1] + b, i);
+    return !has_faces_ || !is_within ? nullptr : in_row(c * wide_.counts[1] + b, i);
 }
 
 bool CutCells::is_open(std::int64_t i, std::int64_t j, std::int64_t k) const {
@@ -162,6 +167,55 @@ void CutCells::fill_cells() {
     }
 }
 
+/// The share of a cell of a last layer that lies below the surface, where that is part of it and a place for water; 1
+/// in whole cells of water and 0 in all others.
+double CutCells::below_surface(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    double share = 0;
+    for (const RegionPlanes& region : regions_) {
+        share = std::max(share, share_of(region, lattice_, up_, i, j, k));
+    }
+    return share > 0 && find(i, j, k) == nullptr && is_open(i, j, k) ? share : 0;
+}
+
+/// How far the air of a cell stands below it, so that air begins at the surface beneath [spacings]; 1 in the last layer
+/// of water itself, 0 where that is whole, and in scenes that faces cut.
+double CutCells::sunk(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    const auto layers = static_cast<std::int64_t>(std::ceil(3 * settings_->support_radius() / lattice_.spacing)) + 5;
+    const std::array<std::int64_t, 3> down{std::lround(-up_.x), std::lround(-up_.y), std::lround(-up_.z)};
+    for (std::int64_t n = 0;
+         !has_faces_ && n <= layers && std::abs(down[0]) + std::abs(down[1]) + std::abs(down[2]) == 1; ++n) {
+        if (const double share = below_surface(i + n * down[0], j + n * down[1], k + n * down[2]); share > 0) {
+            return share < 1 ? (n > 0 ? 1 - share : 1) : 0;
+        }
+    }
+    return 0;
+}
+
+/// Adds the cells that the surface cuts, unless thin walls are near: a region on top of another, which goes on where
+/// that ends, is no surface.
+void CutCells::find_surface() {
+    const std::array<std::int64_t, 3> up{std::lround(up_.x), std::lround(up_.y), std::lround(up_.z)};
+    std::vector<std::vector<Vec3>> rows(at(lattice_.rows()));
+    parallel::for_each_uneven(lattice_.rows(), 4, [&](std::int64_t row) {
+        const std::int64_t j = row % lattice_.counts[1], k = row / lattice_.counts[1];
+        for (std::int64_t i = 0; i < lattice_.counts[0]; ++i) {
+            const double share = below_surface(i, j, k);
+            if (share > 0 && share < 1 && below_surface(i + up[0], j + up[1], k + up[2]) == 0) {
+                rows[at(row)].push_back(lattice_.place(i, j, k));
+            }
+        }
+    });
+    for (const auto& row : rows) {
+        misfits_.insert(misfits_.end(), row.begin(), row.end());
+    }
+    const auto is_beside_thin = [&](const Vec3& middle) {
+        return solids_->thin_are_near(middle, packed_depth(*settings_), thinnest * lattice_.spacing);
+    };
+    if (std::ranges::any_of(misfits_, is_beside_thin)) {
+        misfits_.clear();
+    }
+}
+
 std::vector<Vec3> CutCells::air(double reach) const {
     const Zone zone(misfits_, settings_->domain, reach);
     std::vector<std::vector<Vec3>> rows(at(wide_.rows()));
@@ -171,12 +225,14 @@ std::vector<Vec3> CutCells::air(double reach) const {
             if (!zone.holds(lattice_.place(i, j, k))) {
                 continue;
             }
-            if (const CutCell* cut = in_row(row, i)) {
+            if (const CutCell* cut = has_faces_ ? in_row(row, i) : nullptr) {
                 if (cut->is_filled && cut->region < 0) {
                     rows[at(row)].push_back(cut->place);
                 }
             } else if (region_of(regions_, lattice_, up_, i, j, k) < 0 && is_open(i, j, k)) {
-                rows[at(row)].push_back(lattice_.place(i, j, k));
+                if (const double down = sunk(i, j, k); down < 1) {
+                    rows[at(row)].push_back(lattice_.place(i, j, k) - down * lattice_.spacing * up_);
+                }
             }
         }
     });

@@ -29,6 +29,10 @@ struct CutCell {
 ///
 /// The lattice goes on beyond regions, by so much as a particle of water feels: what stands there is air, which holds
 /// water in its place while both are packed (pack.hpp).
+///
+/// Where no face cuts cells, the surface does where the spacing does not divide the depth: of the last layer only some
+/// have a particle (region_of()), which would fall in. The layer is to be packed with those below it, under air whose
+/// first layer stands half a spacing over the surface.
 class CutCells {
  public:
     CutCells() = default;  ///< without any: cells are filled by their middles
@@ -38,9 +42,11 @@ class CutCells {
 
     /// Returns how far cells of water reach beyond the lattice [cells].
     std::array<std::int64_t, 3> rim() const;
-    /// Tells that no face cuts a cell of water: the lattice fits.
+    /// Tells that neither a face nor the surface cuts a cell of water: the lattice fits.
     bool empty() const { return misfits_.empty(); }
-    /// Middles of the cells of water that faces cut [m].
+    /// Tells that some face cuts a cell of water.
+    bool has_faces() const { return has_faces_; }
+    /// Middles of the cells of water that faces or the surface cut [m].
     std::span<const Vec3> misfits() const { return misfits_; }
     const CutCell* find(std::int64_t i, std::int64_t j, std::int64_t k) const;
     /// Places of air within `reach` of a cell of water that a face cuts [m].
@@ -50,6 +56,9 @@ class CutCells {
     const CutCell* in_row(std::int64_t row, std::int64_t i) const;
     void find_cells();
     void fill_cells();
+    void find_surface();
+    double below_surface(std::int64_t i, std::int64_t j, std::int64_t k) const;
+    double sunk(std::int64_t i, std::int64_t j, std::int64_t k) const;
     bool is_open(std::int64_t i, std::int64_t j, std::int64_t k) const;
     bool is_reached(std::int64_t i, std::int64_t j, std::int64_t k) const;
     bool place(CutCell& cut) const;
@@ -65,6 +74,7 @@ class CutCells {
     std::vector<CutCell> cells_;           ///< in the order of the wide lattice
     std::vector<std::int64_t> row_begin_;  ///< of its rows
     std::vector<Vec3> misfits_;
+    bool has_faces_{false};
 };
 
 }  // namespace riprap::coupling

@@ -8,6 +8,7 @@
 #include "riprap/core/parallel.hpp"
 #include "riprap/core/sum.hpp"
 #include "riprap/coupling/fill_lattice.hpp"
+#include "riprap/coupling/fill_level.hpp"
 #include "riprap/coupling/fill_solids.hpp"
 #include "riprap/coupling/pack_sums.hpp"
 #include "riprap/coupling/zone.hpp"
@@ -230,6 +231,16 @@ Vec3 clear_of_faces(const FillSolids& solids, const fluid::ParticleSettings& set
     return solids.are_near(x, face_distance(settings)) || solids.lie_between(start, x) ? start : x;
 }
 
+/// Tells whether a face cuts any of some cells of a lattice, by their middles: else the surface does.
+bool cut_by_faces(const FillSolids& solids, const fluid::ParticleSettings& settings, std::span<const Vec3> middles) {
+    const double half_diagonal = 0.5 * std::sqrt(static_cast<double>(settings.domain.dimension)) * settings.spacing;
+    return std::ranges::any_of(middles, [&](const Vec3& middle) {
+        const Lattice cell{middle, {1, 1, 1}, settings.spacing};
+        return solids.are_near(middle, half_diagonal) &&
+               CellPoints(solids, cell, settings.domain.dimension, 0, 0, 0).free_share() < 1;
+    });
+}
+
 }  // namespace
 
 double packed_depth(const fluid::ParticleSettings& settings) { return depth * settings.spacing; }
@@ -256,12 +267,15 @@ Packed pack(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const
             places.push_back(position[i]);
         }
     }
+    const FillSolids solids(shapes, bodies, initial, settings.domain, settings.spacing);
+    const bool has_faces = cut_by_faces(solids, settings, filling.misfits);
     const Zone beside_water(places, settings.domain, reach);
     places.insert(places.end(), filling.air.begin(), filling.air.end());
     Crowd crowd(settings);
     std::vector<std::size_t> moving, rest;  // of places
     for (const std::uint32_t n : fluid::order_by_place(places, settings.domain, settings.spacing)) {
-        const bool moves_too = moves.holds(places[n]) && (n < water.size() || beside_water.holds(places[n]));
+        const bool may_move = n < water.size() || (has_faces && beside_water.holds(places[n]));
+        const bool moves_too = may_move && moves.holds(places[n]);
         (moves_too ? moving : rest).push_back(n);
         (moves_too ? crowd.moving : crowd.rest).push_back(places[n]);
     }
@@ -275,7 +289,6 @@ Packed pack(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const
             crowd.rest_share.push_back(samples.volume[s] / volume);
         }
     }
-    const FillSolids solids(shapes, bodies, initial, settings.domain, settings.spacing);
     settle(settings, solids, crowd, packed);
 
     const fluid::PeriodicImages images(settings.domain);
