@@ -136,6 +136,14 @@ TEST(DeviceScheme, moves_water_as_the_host_does) {
     }
 }
 
+TEST(DeviceScheme, spares_smooth_flow_too) {
+    expect_as_good_as_the_host([] {
+        Water water = heap(3, false);
+        water.settings.viscosity.get<ArtificialViscosity>().spares_smooth = true;
+        return water;
+    });
+}
+
 TEST(DeviceScheme, has_the_whole_viscous_stress_too) {
     expect_as_good_as_the_host([] { return heap(3, true); });
 }

@@ -102,6 +102,7 @@ std::vector<Water> scenes() {
         settings.shifting = k == 1 ? 0 : 10;
         settings.is_plain = k == 2;
         settings.density_diffusion = k == 3 ? 0 : 0.1;
+        settings.viscosity.get<ArtificialViscosity>().spares_smooth = k == 1 || k == 2;
         if (k == 4) {
             settings.viscosity.choose<LaminarSps>();
         }

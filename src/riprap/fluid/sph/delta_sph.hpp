@@ -34,7 +34,11 @@ class DeltaSph : public SphForces<WendlandC2, Site> {
     using Base::at_walls_, Base::corrections_, Base::forces_, Base::kernel_, Base::make_room, Base::settings_,
         Base::site_, Base::stage_, Base::walls_, Base::water_;
 
-    /// Finds the sums of Continuity and ContinuityAtWalls. @returns those that are lent
+    /// Tells whether the viscosity of the case goes by the roughness of the flow.
+    bool has_roughness() const {
+        return settings_.viscosity.visit([](const auto& law) { return law.follows_roughness(); });
+    }
+    /// Finds the sums of Continuity and ContinuityAtWalls, and roughness. @returns those that are lent
     DensitySums sum_continuity(const ParticleColumns& fluid, const WallColumns& walls, const Vec3& gravity);
     /// Finds the fields that the sums of forces read, from densities and the sums of Continuity.
     void prepare_forces(const ParticleColumns& fluid);
@@ -79,6 +83,11 @@ DensitySums DeltaSph<Site>::sum_continuity(const ParticleColumns& fluid, const W
     add_pair_sums(settings_, ContinuityAtWalls{kernel_}, side(fluid.positions(), fluid.velocities()),
                   side(walls.positions(), walls.velocities(), walls.volumes()),
                   sinks(sums.moments, sums.rates, water_.concentration_gradient), site_.lists().fluid_walls);
+    if (has_roughness()) {
+        make_room(count, water_.dynamic_viscosity);
+        Where::for_each(fluid.count, FindRoughness{settings_.domain.dimension, sums, water_.strain.columns(),
+                                                   water_.dynamic_viscosity.columns()});
+    }
     return sums;
 }
 
@@ -131,7 +140,7 @@ void DeltaSph<Site>::prepare_forces(const ParticleColumns& fluid) {
     settings_.viscosity.visit([&]<class Law>(const Law& law) {
         if (Law::follows_strain) {
             make_room(count, water_.dynamic_viscosity);
-        } else {
+        } else if (!law.follows_roughness()) {
             water_.dynamic_viscosity.fill(1, settings_.is_plain,
                                           {settings_.rest_density * law.kinematic(settings_, 0)});
         }

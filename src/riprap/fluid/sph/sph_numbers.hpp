@@ -87,7 +87,7 @@ struct WaterFieldsIn {
     Numbers<3, Where> concentration_gradient;  ///< likewise [1/m]
     Numbers<1, Where> bareness;                ///< 1 at the surface, 0 inside the water [-]
     // For the sums of forces.
-    Numbers<1, Where> dynamic_viscosity;  ///< molecular and of eddies; one for all where it is the same [Pa s]
+    Numbers<1, Where> dynamic_viscosity;  ///< or roughness [-]; one for all where it is the same [Pa s]
 
     std::size_t bytes() const {
         return pressure.bytes() + volume.bytes() + strain.bytes() + concentration_gradient.bytes() + bareness.bytes() +

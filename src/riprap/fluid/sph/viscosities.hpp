@@ -11,6 +11,7 @@ namespace riprap::fluid {
 ///
 /// - `double kinematic(settings, strain_rate)`: nu [m^2/s], which bounds the step and goes into the pairs as
 ///   mu = rho_0 nu, and `follows_strain`: whether nu depends on the strain rate;
+/// - `bool follows_roughness()`: whether pairs get the roughness R in place of mu (roughness.hpp, delta_sph);
 /// - `Pair pair(settings, kernel)`: one for each kernel that the pressure may have, `WendlandC2` (delta_sph) and
 ///   `SpikyKernel` (Müller's scheme).
 ///

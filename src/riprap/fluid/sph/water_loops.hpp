@@ -12,6 +12,7 @@
 #include "riprap/fluid/particle/volume_book.hpp"
 #include "riprap/fluid/sph/acoustic_damping.hpp"
 #include "riprap/fluid/sph/gradient_correction.hpp"
+#include "riprap/fluid/sph/roughness.hpp"
 #include "riprap/fluid/sph/shifting.hpp"
 #include "riprap/fluid/sph/sph_numbers.hpp"
 #include "riprap/fluid/sph/tearing.hpp"
@@ -22,6 +23,19 @@ namespace riprap::fluid {
 RIPRAP_HD inline double strain_rate(int dimension, double sum) {
     return std::sqrt(std::max(0.0, (dimension + 2) * sum));
 }
+
+/// Finds the roughness of the flow about particles from the sums of Continuity, where a viscosity goes by it.
+struct FindRoughness {
+    int dimension;
+    DensitySums sums;
+    NumbersView<1> strain, roughness;
+
+    RIPRAP_HD void operator()(std::int64_t entry) const {
+        const auto i = static_cast<std::size_t>(entry);
+        const double m = trace(dimension, sums.moments.all(i)) / dimension;
+        roughness.set(i, fluid::roughness(dimension, sums.rates.all(i), (dimension + 2) * strain[i], m));
+    }
+};
 
 /// Finds pressure and volume from the density.
 struct FindPressure {

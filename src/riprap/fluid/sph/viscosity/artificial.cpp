@@ -7,7 +7,12 @@ namespace riprap::fluid {
 
 KeyList<ArtificialViscosity> ArtificialViscosity::keys() {
     return {key::number(&ArtificialViscosity::alpha, "artificial_alpha", dimension::plain, key::between(0, 1),
-                        "Strength of the artificial viscosity.")};
+                        "Strength of the artificial viscosity."),
+            key::boolean(&ArtificialViscosity::spares_smooth, "spare_smooth_flow",
+                         "Artificial viscosity acts on particles whose neighbours move at random, not where velocity "
+                         "is linear in space: waves keep their energy, noise loses it.")
+                .read_with("scheme", {"delta_sph"})
+                .read_above("artificial_alpha", 0)};
 }
 
 }  // namespace riprap::fluid

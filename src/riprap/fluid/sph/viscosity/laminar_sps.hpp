@@ -29,6 +29,7 @@ struct LaminarSps {
     static KeyList<LaminarSps> keys();
 
     static constexpr bool follows_strain = true, has_transposed_stress = true;
+    static bool follows_roughness() { return false; }
     double kinematic_viscosity{1e-6};  ///< nu [m^2/s]
     double smagorinsky{0.12};          ///< C_s [-]
 
