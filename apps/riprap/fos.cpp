@@ -29,6 +29,11 @@ void tell_plan(const view::FosRequest& request, const view::FosPlan& plan, const
         "fails that creeps {:.2g} of its size in the hold and does not slow down, or has moved {:.2g} of it\n",
         plan.watched.size(), plan.size, times.begins, times.ramp_end(), times.end(), request.criteria.creep,
         request.criteria.displaced);
+    if (plan.method != plan.proposed) {
+        fmt::print(
+            "solid.method is {}; {} is proposed, where it moves the bodies of the case: it takes the fewest steps\n",
+            plan.method, plan.proposed);
+    }
     const run::SweepPoint first = run::trial_at(request.range.high, 1);
     std::vector<std::string> overrides = plan.study.overrides;
     overrides.insert(overrides.end(), first.overrides.begin(), first.overrides.end());

@@ -54,7 +54,9 @@ class Fos : public RunFixture {
         words.insert(words.end(), more.begin(), more.end());
         return run(words);
     }
-    nlohmann::json found() const { return nlohmann::json::parse(text_of(in("fos", "fos.json"))).at("factor_of_safety"); }
+    nlohmann::json found() const {
+        return nlohmann::json::parse(text_of(in("fos", "fos.json"))).at("factor_of_safety");
+    }
 };
 
 TEST_F(Fos, FindsThatOfABlockOnAPlaneWithItsModeAndAPage) {
@@ -65,6 +67,12 @@ TEST_F(Fos, FindsThatOfABlockOnAPlaneWithItsModeAndAPage) {
     EXPECT_NEAR(answer.at("factor").get<double>(), exact, 0.01 * exact);
     EXPECT_LT(answer.at("stands").get<double>(), 1.005 * exact);
     EXPECT_GT(answer.at("fails").get<double>(), 0.995 * exact);
+    const double unit = std::sqrt(std::hypot(1, 0.4) / 9.81);  // sqrt(size/g)
+    EXPECT_NEAR(answer.at("over").get<double>(), 6 * unit, 1e-6);
+    EXPECT_NEAR(answer.at("hold").get<double>(), 6 * unit, 1e-6);
+    EXPECT_EQ(answer.at("begins"), 0);
+    EXPECT_EQ(answer.at("creep"), 1e-3);
+    EXPECT_EQ(answer.at("displaced"), 0.1);
     ASSERT_EQ(answer.at("mode").size(), 1U);
     EXPECT_EQ(answer.at("mode")[0].at("mode"), "slides");
     EXPECT_THAT(text_of(in("fos", "index.html")), HasSubstr("factor of safety 1.4"));
@@ -83,7 +91,7 @@ TEST_F(Fos, FindsThatOfABlockOnAPlaneWithItsModeAndAPage) {
 TEST_F(Fos, HardlyDependsOnHowLongStrengthFallsNorOnDamping) {
     const auto factor = [this](const std::vector<std::string>& more) {
         std::filesystem::remove_all(out("fos"));
-        std::vector<std::string> words{"--between", "1", "2", "--tolerance", "0.002", "--quiet"};
+        std::vector<std::string> words{"--between", "1.35", "1.5", "--tolerance", "0.003", "--quiet"};
         words.insert(words.end(), more.begin(), more.end());
         const Ending ending = fos(block_text("damping_ratio = 0.2\n"), words);
         EXPECT_EQ(ending.code, 0) << ending.err;
@@ -91,7 +99,7 @@ TEST_F(Fos, HardlyDependsOnHowLongStrengthFallsNorOnDamping) {
     };
     const double usual = factor({});
     EXPECT_NEAR(usual, exact, 0.005 * exact);
-    EXPECT_NEAR(factor({"--over", "2.4"}), usual, 0.005 * usual);  // 1.2 s by itself
+    EXPECT_NEAR(factor({"--over", "4.0"}), usual, 0.005 * usual);  // 2 s by itself
     EXPECT_NEAR(factor({"--set", "material.rock.damping_ratio=0.1"}), usual, 0.005 * usual);
 }
 
@@ -106,9 +114,8 @@ TEST_F(Fos, CountsCohesionAlone) {
     // Base of 1 m, weight W = 2500 g 0.4: F = c A/(W sin 35 - W cos 35 tan phi) where friction stays.
     const double weight = 2500 * 9.81 * 0.4, friction = std::tan(20 * degree);
     const double lack = weight * (std::sin(dip) - std::cos(dip) * friction);
-    const Ending ending =
-        fos(block_text(fmt::format("cohesion = {}\n", 1.7 * lack)),
-            {"--set", "material.rock.friction_angle_deg=20", "--reduce", "cohesion"});
+    const Ending ending = fos(block_text(fmt::format("cohesion = {}\n", 1.7 * lack)),
+                              {"--set", "material.rock.friction_angle_deg=20", "--reduce", "cohesion"});
     EXPECT_EQ(ending.code, 0) << ending.out << ending.err;
     EXPECT_NEAR(found().at("factor").get<double>(), 1.7, 0.017);
 }
@@ -123,7 +130,8 @@ TEST_F(Fos, TellsThatSomethingElseThanStrengthHoldsOrFails) {
     std::string slender = block_text();
     slender.replace(slender.find("[1.0, 0.4]"), 10, "[0.4, 1.6]");
     slender.replace(slender.find("[0.0, 0.2]"), 10, "[0.0, 0.8]");
-    const Ending topples = fos(slender, {"--set", "settle_static=false", "--set", "settle=0.05", "--between", "0.7", "3"});
+    const Ending topples =
+        fos(slender, {"--set", "settle_static=false", "--set", "settle=0.05", "--between", "0.7", "3"});
     EXPECT_EQ(topples.code, 1) << topples.out;
     EXPECT_THAT(topples.out, HasSubstr("fails at F = 0.7, the lower end, too"));
     EXPECT_THAT(topples.out, HasSubstr("topples"));
@@ -141,6 +149,13 @@ TEST_F(Fos, RefusesWhatCannotBeSearched) {
     const Ending nobody = refusal(block_text(), {"--watch", "stone"});
     EXPECT_EQ(nobody.code, 3);
     EXPECT_THAT(nobody.err, HasSubstr("no free body has a name that begins with 'stone'"));
+    const Ending twice = refusal(block_text(), {"--set", "strength={reduction=1.2, over=1.0}"});
+    EXPECT_EQ(twice.code, 3);
+    EXPECT_THAT(twice.err, HasSubstr("the case without [strength]"));
+    const Ending turning =
+        refusal(block_text(), {"--set", "gravity={value=[0, -9.81], rotation={axis=[0,0,1], rate=0.1}}"});
+    EXPECT_EQ(turning.code, 3);
+    EXPECT_THAT(turning.err, HasSubstr("gravity still turns"));
     EXPECT_EQ(refusal(block_text(), {"--between", "3", "2"}).code, 2);
     EXPECT_EQ(refusal(block_text(), {"--reduce", "stiffness"}).code, 2);
     EXPECT_EQ(fos(block_text(), {"--plan"}).code, 0);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/run/strength/factor_search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace riprap::run {
 
 namespace {
 
 /// Rounds to five digits, as names and overrides of trials have them.
-double rounded(double factor) {
-    const double unit = std::pow(10, std::floor(std::log10(factor)) - 4);
-    return std::round(factor / unit) * unit;
-}
+double rounded(double factor) { return std::strtod(fmt::format("{:.5g}", factor).c_str(), nullptr); }
 
 }  // namespace
 

@@ -36,7 +36,11 @@ double largest_size(const sim::Model& model, const std::vector<std::int32_t>& bo
     for (const std::int32_t b : bodies) {
         for (std::int32_t p = model.bodies.part_begin[at(b)]; p < model.bodies.part_begin[at(b + 1)]; ++p) {
             const body::Part& part = model.bodies.parts[at(p)];
-            largest = std::max(largest, 2 * model.shapes.view(part.shape).circumradius);
+            const geometry::ConvexView shape = model.shapes.view(part.shape);
+            for (int v = 0; v < shape.vertex_count; ++v) {
+                const Vec3 corner = to_world(part.local, shape.vertex(v));
+                largest = std::max(largest, 2 * norm(model.bodies.is_planar ? Vec3{corner.x, corner.y, 0} : corner));
+            }
         }
     }
     return largest;
@@ -62,8 +66,12 @@ std::vector<std::string> settings_of_trials(const TrialTimes& times, const std::
 }
 
 SweepPoint trial_at(double factor, double initial) {
-    return {initial == 1 ? fmt::format("F_{:.5f}", factor) : fmt::format("F_{:.5f}_from_{:.5g}", factor, initial),
-            {fmt::format("strength.reduction={}", factor), fmt::format("strength.initial={}", initial)}};
+    SweepPoint point{fmt::format("F_{:.5f}", factor), {fmt::format("strength.reduction={}", factor)}};
+    if (initial != 1) {
+        point.name += fmt::format("_from_{:.5g}", initial);
+        point.overrides.push_back(fmt::format("strength.initial={}", initial));
+    }
+    return point;
 }
 
 }  // namespace riprap::run

@@ -22,7 +22,7 @@ struct TrialTimes {
 /// Numbers of the bodies that are watched: free ones whose names begin so; all free ones for an empty beginning.
 std::vector<std::int32_t> watched_bodies(const sim::Model& model, const std::string& beginning);
 
-/// Returns the size of the largest watched body, twice its circumradius [m].
+/// Returns the size of the largest watched body, twice the distance of its farthest corner from its centre [m].
 double largest_size(const sim::Model& model, const std::vector<std::int32_t>& bodies);
 
 /// Usual times of a trial, by T = sqrt(size/g), the time in which a body of that size topples or slides by about half

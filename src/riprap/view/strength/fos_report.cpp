@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -109,8 +110,8 @@ Plot plot_of(const FosReport& report) {
                     trial->time,
                     {},
                     trial->stands ? CurveStyle::line : CurveStyle::dashed};
-        for (const double moved : trial->moved) {
-            curve.y.push_back(std::max(moved, 1e-9));
+        for (const double moved : trial->moved) {  // nothing at first, which a log scale does not show
+            curve.y.push_back(moved > 0 ? std::max(moved, 1e-9) : std::numeric_limits<double>::quiet_NaN());
         }
         plot.curves.push_back(std::move(curve));
     }

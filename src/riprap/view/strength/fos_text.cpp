@@ -95,6 +95,9 @@ std::string fos_text(const FosReport& report) {
             factor, report.failed);
     }
     for (const TrialVerdict& trial : report.trials) {
+        for (const std::string& warning : trial.factor == report.stood ? trial.warnings : std::vector<std::string>()) {
+            text += fmt::format("warned of at F = {:.5g}: {}\n", trial.factor, warning);
+        }
         if (trial.factor == report.stood && trial.is_slowing) {
             text += fmt::format(
                 "at F = {:.5g} bodies still slow down as the trial ends: it stands, if they come to rest; --hold "

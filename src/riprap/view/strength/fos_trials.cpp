@@ -7,6 +7,7 @@
 #include <chrono>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "riprap/core/error.hpp"
 #include "riprap/core/printable.hpp"
@@ -166,6 +167,9 @@ FosPlan plan_fos(const FosRequest& request) {
     const auto refuse = [&request](std::string message, std::string allowed) {
         throw CaseError(Diagnostic{{request.case_path}, std::move(message), std::move(allowed)});
     };
+    if (loaded.model.strength.is_active()) {
+        refuse("the case reduces strength itself, which the search does", "the case without [strength]");
+    }
     FosPlan plan;
     plan.watched = run::watched_bodies(loaded.model, request.watched);
     if (plan.watched.empty()) {
@@ -173,11 +177,19 @@ FosPlan plan_fos(const FosRequest& request) {
                                        : fmt::format("no free body has a name that begins with '{}'", request.watched),
                "a free body to watch");
     }
+    plan.method =
+        std::visit([](const auto& settings) { return std::string(settings.method_name); }, loaded.model.solid);
+    plan.proposed = loaded.model.bodies.is_planar ? "planar_dda" : "implicit_dda";
     plan.size = run::largest_size(loaded.model, plan.watched);
     plan.times = run::usual_times(loaded.model, plan.size);
     plan.times.begins = request.begins >= 0 ? request.begins : plan.times.begins;
     plan.times.over = request.over > 0 ? request.over : plan.times.over;
     plan.times.hold = request.hold > 0 ? request.hold : plan.times.hold;
+    const body::Gravity& pull = loaded.model.gravity;
+    if (norm(pull.at(plan.times.end()) - pull.at(plan.times.begins)) > 1e-9 * norm(pull.value)) {
+        refuse("gravity still turns or grows while strength falls, so that the factor is that of no one moment",
+               "gravity that has come to its end before --begins");
+    }
     if (!(plan.times.over > 0 && plan.times.hold > 0)) {
         refuse("without gravity the times of a trial are not known", "--over and --hold");
     }

@@ -30,6 +30,8 @@ struct FosPlan {
     std::vector<std::int32_t> watched;
     double size{0};      ///< of the largest watched body [m]
     std::string method;  ///< solid.method
+    /// The method that takes the fewest steps: planar_dda in the plane, implicit_dda in space.
+    std::string proposed;
 };
 
 /// Reads the case and fills in what the request leaves open. @throws CaseError where there is nothing to reduce or to

@@ -177,6 +177,7 @@ TrialVerdict judge_trial(const RecordedRun& run, const run::TrialTimes& times, d
                                          film.nearest(times.ramp_end() + 0.5 * times.hold), film.frames.size() - 1};
     TrialVerdict verdict;
     verdict.factor = factor;
+    verdict.warnings = run.warnings;
     const std::size_t onset = add_history(film, key[0], watched, verdict);
     const bool is_whole = key[0] < key[1] && key[1] < key[2] && key[2] < key[3] &&
                           film.time.back() > times.end() - 0.5 * (film.time[key[3]] - film.time[key[3] - 1]);

@@ -43,6 +43,7 @@ struct TrialVerdict {
     bool is_slowing{false};  ///< a body still moved at the end, but slowed down
     double onset{0};         ///< time at which a body first moved farther than 2 % of its size [s]; 0: none did
     std::vector<BodyVerdict> bodies;
+    std::vector<std::string> warnings;  ///< of its run, about results
     std::vector<double> time,
         moved;  ///< of every frame since strength began to fall: largest movement over size [s], [-]
 };
