@@ -321,6 +321,7 @@ int command_line(const Words& words, const BuiltIn& built_in) {
     add_new(app, action);
     add_upgrade(app, action);
     add_sweep(app, action);
+    add_fos(app, action);
     add_matrix(app, action);
     add_validate(app, action, words, built_in);
     add_commands_of_runs(app, action);

@@ -25,6 +25,7 @@ void add_commands_of_runs(CLI::App& app, Action& action);
 /// Adds single commands: a study of many runs, a case to start from, an old case with the names of today, and texts
 /// made from all commands.
 void add_sweep(CLI::App& app, Action& action);
+void add_fos(CLI::App& app, Action& action);
 void add_new(CLI::App& app, Action& action);
 void add_upgrade(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);

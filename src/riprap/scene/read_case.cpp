@@ -209,6 +209,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     build_rock_masses(build);
     build_sections(build);
     build_contact(build);
+    build_strength(build);
     build_supports(build);
     choose_contact(build);
     build.has_all_bodies = problems.empty();

@@ -11,8 +11,22 @@ namespace riprap::sim {
 ScratchData::ScratchData() : methods(std::make_unique<MethodScratch>()) {}
 ScratchData::~ScratchData() = default;
 
+namespace {
+
+/// Returns the parts of the Model that solids read, with the strengths of now: those of the start of the step.
+solid::SolidScene scene_of_now(const Model& model, double time, material::MaterialSet& reduced) {
+    if (!model.strength.is_active()) {
+        return solid_scene(model);
+    }
+    const double divisor = model.strength.divisor(time);
+    reduce_strength(model.materials, model.strength, divisor, reduced);
+    return solid_scene(model, reduced, divisor);
+}
+
+}  // namespace
+
 BoundMethods::BoundMethods(const Model& model, State& state, ScratchData& scratch)
-    : solid_scene_(solid_scene(model)),
+    : solid_scene_(scene_of_now(model, state.time, scratch.materials)),
       fluid_scene_{model.shapes, model.bodies, model.gravity},
       fluid_leads_(sim::fluid_leads(model)) {
     Solids::visit(model.solid, [&]<class Method>(const typename Method::Settings& settings) {

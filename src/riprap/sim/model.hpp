@@ -19,6 +19,7 @@
 #include "riprap/fluid/gauge/gauge.hpp"
 #include "riprap/geometry/polyhedra/shape_set.hpp"
 #include "riprap/material/material_set.hpp"
+#include "riprap/material/strength_reduction.hpp"
 #include "riprap/sim/settings.hpp"
 #include "riprap/solid/solid_scene.hpp"
 
@@ -98,7 +99,8 @@ struct Model {
     std::uint64_t case_hash{0};  ///< of the resolved case: a checkpoint belongs to one case
     std::uint64_t seed{1};
     geometry::ShapeSet shapes;
-    material::MaterialSet materials;
+    material::MaterialSet materials;  ///< at full strength
+    material::StrengthReduction strength;
     body::BodySet bodies;
     body::Gravity gravity;
     std::vector<body::PointLoad> loads;
@@ -120,9 +122,12 @@ struct Model {
 };
 
 /// Returns the parts of the Model that every solid method reads.
-inline solid::SolidScene solid_scene(const Model& model) {
-    return {model.shapes,       model.materials, model.bodies,  model.gravity, model.loads,
-            model.fixed_points, model.bolts,     model.spheres, model.time.end};
+/// @param materials  with their strengths divided by `strength_divisor`
+inline solid::SolidScene solid_scene(const Model& model, const material::MaterialSet& materials,
+                                     double strength_divisor) {
+    return {model.shapes,       materials,   model.bodies,  model.gravity,  model.loads,
+            model.fixed_points, model.bolts, model.spheres, model.time.end, strength_divisor};
 }
+inline solid::SolidScene solid_scene(const Model& model) { return solid_scene(model, model.materials, 1); }
 
 }  // namespace riprap::sim

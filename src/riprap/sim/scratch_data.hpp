@@ -9,6 +9,7 @@
 
 #include "riprap/body/motion.hpp"
 #include "riprap/body/predict.hpp"
+#include "riprap/material/material_set.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/solid/solid_times.hpp"
 
@@ -37,6 +38,7 @@ struct ScratchData {
     ~ScratchData();
 
     std::unique_ptr<MethodScratch> methods;  ///< buffers of the methods of the case
+    material::MaterialSet materials;         ///< with reduced strengths, where the case reduces them
     Prediction prediction;
     coupling::FluidLoads fluid_loads;  ///< of the fluid in the last step, pressure and viscosity apart
     body::Loads span_loads, loads;     ///< ... together: in one span, and over the step

@@ -31,6 +31,8 @@ struct SolidScene {
     std::span<const body::Bolt> bolts{};
     std::span<const body::GivenSpheres> spheres{};
     double end{0};  ///< of the run [s]
+    /// By which strengths in `materials` are divided now; tables made of them are made again where it changes [-]
+    double strength_divisor{1};
 };
 
 /// Why a method cannot move a scene.

@@ -92,7 +92,8 @@ std::filesystem::path write_study_page(const std::filesystem::path& folder, cons
     }
     constexpr std::size_t most = std::size_t{64} << 20U;
     Json study = Json::parse(io::read_file(folder / (name + ".json"), most));
-    study["title"] = title_of(folder, study);
+    const std::string own_title = study.value("title", "");
+    study["title"] = own_title.empty() ? title_of(folder, study) : own_title + ". " + title_of(folder, study);
     study["units"] = units_of_keys(study);
     for (Json& run : study["runs"]) {
         const std::string own = run["name"].get<std::string>();
@@ -118,6 +119,10 @@ std::filesystem::path write_sweep_page(const std::filesystem::path& folder) {
 
 std::filesystem::path write_ensemble_page(const std::filesystem::path& folder) {
     return write_study_page(folder, "ensemble", curves_of(folder / "bands.csv"));
+}
+
+std::filesystem::path write_fos_page(const std::filesystem::path& folder) {
+    return write_study_page(folder, "fos", nullptr);
 }
 
 }  // namespace riprap::view

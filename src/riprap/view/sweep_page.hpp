@@ -16,4 +16,8 @@ std::filesystem::path write_sweep_page(const std::filesystem::path& folder);
 /// the 90th percentile, with median and mean. @returns as write_sweep_page
 std::filesystem::path write_ensemble_page(const std::filesystem::path& folder);
 
+/// Writes index.html beside the fos.json of a search for the factor of safety: its trials as the runs of a study, under
+/// the factor. @returns as write_sweep_page
+std::filesystem::path write_fos_page(const std::filesystem::path& folder);
+
 }  // namespace riprap::view

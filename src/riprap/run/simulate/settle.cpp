@@ -144,6 +144,7 @@ scene::LoadedCase dry_case(const scene::LoadedCase& loaded) {
     dry.model.expects.clear();
     std::erase_if(dry.model.loads, [](const body::PointLoad& load) { return load.start > 0; });
     dry.model.gravity = dry.model.gravity.held();
+    dry.model.strength = dry.model.strength.held();
     for (body::PointLoad& load : dry.model.loads) {
         load.stop = std::numeric_limits<double>::infinity();  // it acts at time 0
     }

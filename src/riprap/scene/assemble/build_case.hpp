@@ -12,6 +12,7 @@ namespace riprap::scene {
 void build_materials(CaseBuild& build);
 void build_contact(CaseBuild& build);  ///< after the bodies: mixing rules are asked for where materials are used
 void build_settings(CaseBuild& build);
+void build_strength(CaseBuild& build);  ///< after the contact
 void build_bodies(CaseBuild& build);
 void build_packs(CaseBuild& build);
 void build_rock_masses(CaseBuild& build);

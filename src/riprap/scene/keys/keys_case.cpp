@@ -68,6 +68,25 @@ const Table& fixed_point_table() {
     return table;
 }
 
+const Table& strength_table() {
+    static const Table table{
+        "strength",
+        "[strength]",
+        "Strengths of all contacts are divided by a factor that changes smoothly during the run: tan of the friction "
+        "angle, cohesion, tensile strength. `riprap fos` finds by such runs the factor at which bodies fail.",
+        {required_key("reduction", {number(dimension::plain, between(0.01, 1000))},
+                      "By which strengths are divided in the end; below 1 they grow."),
+         key_or("initial", {number(dimension::plain, between(0.01, 1000))}, Value::of(1.0),
+                "By which they are divided before, also while bodies settle."),
+         key_or("begins", {number(dimension::time, non_negative())}, Value::of(0.0),
+                "Time at which the change begins."),
+         required_key("over", {number(dimension::time, positive())},
+                      "How long the change takes: long against the time that bodies take to come to rest."),
+         optional_key("reduces", {list(choice({"friction", "cohesion", "tension"}), 1, 3)},
+                      "Strengths that are divided; all when not given.")}};
+    return table;
+}
+
 const Table& bolt_table() {
     static const std::string help = with_solids(
         "A straight spring between points of two bodies, under tension and compression alike: a rock bolt. "
@@ -126,6 +145,7 @@ Table rows_of_case() {
          key_or("material", {named_tables(material_table, limits::materials)}, Value::table(),
                 "Materials by name; a case of water alone needs none."),
          key_or("contact", {form::table(contact_table)}, Value::table(), "Contact of two materials."),
+         optional_key("strength", {form::table(strength_table)}, "Reduction of strength during the run."),
          key_or("solid", {form::table(solid_table)}, Value::table(), "Method and settings of the solids."),
          optional_key("fluid", {form::table(fluid_table)}, "Water, when there is any."),
          key_or("body", {table_list(body_table)}, Value::array(),

@@ -81,6 +81,7 @@ void begin(const SolidScene& scene, const Elasticity& elasticity, body::BodyStat
     if (scratch.system.size() != scene.bodies.size()) {
         scratch.problem = make_blocks(scene, elasticity, scratch.system);
     }
+    renew_strengths(scene.materials, scene.strength_divisor, scratch.system.surfaces);
     start_stretching(bodies);
     if (blocks.size() != scene.bodies.size()) {
         read_bodies(bodies, scene.bodies, blocks);

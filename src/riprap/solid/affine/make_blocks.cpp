@@ -133,6 +133,7 @@ std::string make_blocks(const SolidScene& scene, const Elasticity& elasticity, B
     }
     system.elasticity = elasticity;
     system.surfaces = make_surfaces(scene.materials, elasticity, least_contact_area(scene));
+    system.surfaces.divisor = scene.strength_divisor;
     system.is_planar = scene.bodies.is_planar;
     for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
         add_block(scene, b, system);

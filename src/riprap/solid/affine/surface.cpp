@@ -34,4 +34,17 @@ Surfaces make_surfaces(const material::MaterialSet& materials, const Elasticity&
     return surfaces;
 }
 
+void renew_strengths(const material::MaterialSet& materials, double divisor, Surfaces& surfaces) {
+    if (divisor == surfaces.divisor) {
+        return;
+    }
+    for (std::size_t i = 0; i < surfaces.pairs.size(); ++i) {
+        const material::PairProperties& pair = materials.pairs[i];
+        surfaces.pairs[i].friction = pair.friction;
+        surfaces.pairs[i].cohesion = pair.cohesion;
+        surfaces.pairs[i].tension = pair.tensile_strength;
+    }
+    surfaces.divisor = divisor;
+}
+
 }  // namespace riprap::solid::affine

@@ -33,6 +33,7 @@ struct Surface {
 struct Surfaces {
     std::vector<Surface> pairs;  ///< symmetric table of materials x materials
     std::int32_t material_count{0};
+    double divisor{1};  ///< by which strengths are divided, see SolidScene::strength_divisor [-]
 
     const Surface& of(std::int32_t material_a, std::int32_t material_b) const {
         return pairs[static_cast<std::size_t>(material_a * material_count + material_b)];
@@ -47,5 +48,7 @@ struct Surfaces {
 /// settings of the method.
 /// @param least_area  see Surface
 Surfaces make_surfaces(const material::MaterialSet& materials, const Elasticity& elasticity, double least_area);
+/// Takes the strengths anew from the materials where they are divided by another divisor than before.
+void renew_strengths(const material::MaterialSet& materials, double divisor, Surfaces& surfaces);
 
 }  // namespace riprap::solid::affine

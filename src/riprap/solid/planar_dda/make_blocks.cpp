@@ -192,6 +192,7 @@ SceneBlocks make_blocks(const SolidScene& scene, const body::BodyState& bodies, 
     }
     blocks.model.elasticity = elasticity;
     blocks.model.surfaces = affine::make_surfaces(scene.materials, elasticity, 0);
+    blocks.model.surfaces.divisor = scene.strength_divisor;
     blocks.model.plane = plane;
     blocks.smallest = 2 * around.radius;
     for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {

@@ -57,6 +57,7 @@ PlanarDda::PlanarDda(const SolidScene& scene, const Settings& settings, const So
         scratch.settings = settings_of(settings, scratch.scene.smallest);
         scratch.is_made = true;
     }
+    affine::renew_strengths(scene.materials, scene.strength_divisor, scratch.scene.model.surfaces);
     if (fields.was_held.size() != at(scene.bodies.size()) && scratch.scene.problems.empty()) {
         fields.blocks = scratch.scene.state;
         for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {

@@ -96,6 +96,11 @@ SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const So
     faces_settings_.local_damping = settings.laws.local_damping;
     faces_settings_.mass_damping = settings.laws.mass_damping;
     faces_settings_.max_speed = settings.laws.max_speed;
+    if (!scratch.is_built || scratch.strength_divisor != scene.strength_divisor) {
+        scratch.table = sphere_dem::pair_table(scene.materials, settings);
+        scratch.cohesion = sphere_dem::cohesion_table(scene.materials);
+        scratch.strength_divisor = scene.strength_divisor;
+    }
     if (!scratch.is_built) {
         scratch.spheres = sphere_dem::sample_bodies(scene, settings);
         for (const body::Ground& ground : body::find_grounds(scene.bodies, scene.shapes)) {
@@ -106,8 +111,6 @@ SphereDem::SphereDem(const SolidScene& scene, const Settings& settings, const So
             }
             scratch.triangles.add(ground.body, mesh.points, corners);
         }
-        scratch.table = sphere_dem::pair_table(scene.materials, settings);
-        scratch.cohesion = sphere_dem::cohesion_table(scene.materials);
         for (std::int32_t b = 0; b < scene.bodies.size(); ++b) {
             const bool has_spheres = scratch.spheres.count_of(b) > 0;
             scratch.faces.left_out.push_back(has_spheres ? 1 : 0);

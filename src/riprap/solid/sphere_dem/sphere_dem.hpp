@@ -32,6 +32,7 @@ class SphereDem final : public SolidMethod {
         sphere_dem::SphereSet spheres;  ///< a function of Model; made when they are first asked for
         sphere_dem::TriangleSet triangles;
         contact::ContactTable table;
+        double strength_divisor{1};    ///< of both tables, see SolidScene [-]
         std::vector<double> cohesion;  ///< of pairs of materials, row after row [Pa]; empty where no pair has any
         sphere_dem::SphereScratch buffers;
         sphere_dem::LookAhead ahead;
