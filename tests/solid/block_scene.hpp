@@ -80,7 +80,7 @@ inline void add_box(BlockScene& system, BlockState& state, const Vec3& size, con
 }
 /// Adds a polyhedron that is given in world axes.
 inline void add_polyhedron(BlockScene& system, BlockState& state, const geometry::Polyhedron& shape, NewBlock block) {
-    const ShapeId id = system.scene.shapes.add_convex(shape, false, &block.position);
+    const ShapeId id = system.scene.shapes.add_convex(shape, system.is_planar, &block.position);
     add_block(system, state, id, block);
 }
 

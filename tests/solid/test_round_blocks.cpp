@@ -26,7 +26,7 @@ struct World {
         blocks.position.back() = place;
     }
     /// A disc as `shape = { sphere = radius }` makes it in a planar scene, turned by an angle [rad].
-    void add_disc(double radius, const Vec3& place, const Vec3& velocity, double turned) {
+    void add_disc(double radius, const Vec3& place, const Vec3& velocity, double turned, bool is_planar = true) {
         constexpr int sides = 64;
         std::vector<geometry::Point2> corners;
         for (int k = 0; k < sides; ++k) {
@@ -34,7 +34,7 @@ struct World {
             const double out = geometry::circumradius_of_equal_area(sides) * radius;
             corners.push_back({out * std::cos(angle), out * std::sin(angle)});
         }
-        system.is_planar = true;
+        system.is_planar = is_planar;
         add_polyhedron(system, blocks, geometry::planar_prism(corners).value(), {.velocity = velocity});
         blocks.position.back() = place;
     }
@@ -82,9 +82,9 @@ struct World {
 TEST(RoundBlocks, TheSphereOfThePolyhedronHasItsVolume) {
     World world;
     world.add_ball(0.25, {});
-    EXPECT_NEAR(affine::ball_radius(world.system.shape_of(0)), 0.25, 1e-9);
+    EXPECT_NEAR(world.system.shape_of(0).round_radius, 0.25, 1e-9);
     world.add_floor({1, 1, 1}, {});
-    EXPECT_EQ(affine::ball_radius(world.system.shape_of(1)), 0);
+    EXPECT_EQ(world.system.shape_of(1).round_radius, 0);
 }
 
 TEST(RoundBlocks, ABallTouchesFacesEdgesCornersAndBallsWithItsSphere) {
@@ -174,8 +174,7 @@ TEST(RoundBlocks, ADiscTouchesWithItsCircleAtBothEndsOfItsThicknessHoweverItIsTu
 TEST(RoundBlocks, APrismInSpaceIsNoDisc) {
     World world;
     world.add_floor({1, 1, 1}, {0, -0.5, 0});
-    world.add_disc(0.25, {0, 0.2499, 0}, {}, 0);
-    world.system.is_planar = false;
+    world.add_disc(0.25, {0, 0.2499, 0}, {}, 0, false);
     for (const affine::BlockContact& contact : world.contacts(1e-3)) {
         EXPECT_NE(contact.feature >> 60U, 4U);
     }

@@ -11,6 +11,7 @@
 #include "riprap/geometry/polyhedra/round_shapes.hpp"
 #include "riprap/solid/planar_dda/plane.hpp"
 #include "riprap/solid/planar_dda/round_touch.hpp"
+#include "riprap/solid/planar_dda/seams.hpp"
 #include "solid/planar_dda/blocks.hpp"
 
 namespace riprap::solid::planar_dda {
@@ -278,6 +279,83 @@ TEST(RoundContacts, AStrainedDiscIsAnEllipse) {
     EXPECT_NEAR(gap(), -0.25e-3, 1e-12);
     blocks.state.angle[at(disc)] += 45 * degree;
     EXPECT_NEAR(gap(), 0, 2e-7);
+}
+
+/// Contacts of a disc that lies in a floor along y = 0 by an overlap, a gap and a step up at x = 0 beside or under it.
+std::size_t contacts_at_seam(double overlap, double disc_at, double gap, double step) {
+    Turned blocks(37 * degree);
+    blocks.box({-1, -0.5}, {1, 0.5});
+    blocks.box({gap, step - 0.5}, {1, 0.5});
+    blocks.disc(0.25, {disc_at, 0.25 - overlap});
+    std::vector<Vec2> corners;
+    place_corners(blocks.model, blocks.state, corners);
+    blocks.settings.displacement_limit = 1e-5;
+    find_contacts(blocks.model, blocks.state, blocks.settings, corners, blocks.scratch.search, blocks.scratch.contacts);
+    return blocks.scratch.contacts.size();
+}
+
+TEST(RoundContacts, ACornerThatContinuesTheFaceIsNone) {
+    const double overlap = 1e-4, joint = joint_share * 0.25;  // half a patch is sqrt(2 r overlap) = 7e-3 m
+    for (const double at : {-1e-3, 1e-3, 0.0}) {
+        EXPECT_EQ(contacts_at_seam(overlap, at, 0, 0), 1U) << at;
+    }
+    EXPECT_EQ(contacts_at_seam(overlap, -1e-3, 0, 0.8 * overlap), 1U);
+    EXPECT_EQ(contacts_at_seam(overlap, -1e-3, 0, 1.2 * overlap), 2U);
+    EXPECT_EQ(contacts_at_seam(overlap, -1e-4, 0.9 * joint, 0), 1U);
+    EXPECT_EQ(contacts_at_seam(overlap, -1e-4, 1.1 * joint, 0), 2U);
+    EXPECT_EQ(contacts_at_seam(overlap, 5e-4, 1e-3, 0), 2U);  // over the gap both corners bear
+}
+
+TEST(RoundContacts, TheNormalHalfWayTellsTheGapAfterAStep) {
+    const double r = 0.25, dt = 1e-3;
+    for (const Vec2& velocity : {Vec2{5, -0.5}, {-5, 0}}) {
+        Turned blocks(37 * degree);
+        blocks.box({-1, -1}, {1, 1});
+        const std::int32_t disc = blocks.disc(r, {0.1, 0.23}, velocity);
+        std::vector<Contact> contacts;
+        std::vector<Vec2> corners;
+        const auto find = [&] {
+            place_corners(blocks.model, blocks.state, corners);
+            find_contacts(blocks.model, blocks.state, blocks.settings, corners, blocks.scratch.search, contacts, dt);
+        };
+        find();
+        ASSERT_EQ(contacts.size(), 1U);
+        Unknowns moved = rates_of(blocks.state, disc);
+        for (double& u : moved) {
+            u *= dt;
+        }
+        const double told = contacts[0].gap.after(moved, {});
+        blocks.state.x[at(disc)] += moved[0];
+        blocks.state.y[at(disc)] += moved[1];
+        find();
+        EXPECT_NEAR(told, contacts[0].gap.value, 1e-7);  // w^2/2r is 5e-5
+    }
+}
+
+TEST(RoundContacts, FrictionGoesOnOverASeamAndAroundACorner) {
+    // held by friction on a slope that it rolls down: m g sin/3 throughout
+    const double angle = 20 * degree, held = mass_of(0.25) * g * std::sin(angle) / 3;
+    for (const double turn : turns) {
+        Turned blocks(turn, {.friction = 0.5});
+        for (int k = 0; k < 10; ++k) {
+            blocks.box({-0.2 + 0.1 * k, -0.5}, {0.1, 0.5});
+        }
+        blocks.polygon({{0.8, -0.5}, {4, -0.5}, {4, -1e-4}, {1, 0}, {0.8, 0}});
+        const std::int32_t disc = blocks.disc(0.25, {0, 0.25});
+        blocks.run_to(0.3, 1e-3, down_slope(angle));
+        double least = 1e9, largest = 0;
+        while (blocks.place(disc).x < 1.2) {
+            blocks.run_to(1e-3, 1e-3, down_slope(angle));
+            double sum = 0;
+            for (const double slip : blocks.state.contact_lock) {
+                sum += 4e8 * std::abs(slip);
+            }
+            least = std::min(least, sum);
+            largest = std::max(largest, sum);
+        }
+        EXPECT_NEAR(least / held, 1, 0.05);
+        EXPECT_NEAR(largest / held, 1, 0.05);
+    }
 }
 
 TEST(RoundContacts, ARollingDiscGoesOnFromItsStateAlone) {

@@ -49,11 +49,9 @@ class RowsOfPairs {
     std::size_t row_;
 };
 
-/// Radius of the ball, or of the disc of a planar scene, that a block stands for, 0 = neither; and half of the disc's
-/// thickness, 0 = a ball [m].
-Disc round_shape(const BlockSystem& system, std::int32_t block) {
-    const Shape& shape = system.shape_of(block);
-    return system.is_planar ? disc_of(shape) : Disc{ball_radius(shape), 0};
+/// Half of the thickness of a disc, 0 = a ball [m].
+double half_thickness(const BlockSystem& system, const Shape& shape) {
+    return system.is_planar && shape.round_radius > 0 ? std::abs(shape.vertices[0].z) : 0;
 }
 
 /// Appends the contact points of one pair with ground.
@@ -65,11 +63,11 @@ void find_in_ground_pair(const BlockSystem& system, const BlockState& state, con
     const Surface& surface = system.surface_of(pair.a, pair.b);
     const auto [begin, end] = rows.of(pair);
     const contact::PlacedHull hull = placed.hull(system, state, block);
-    const Disc round = round_shape(system, block);
+    const Shape& shape = system.shape_of(block);
     find_on_ground(
         {system.shape_of(ground).ground.get(), state.position[at(ground)], rows_at(state.deformation, at(ground)), hull,
          pair, is_first, surface.is_per_area || surface.has_bond(),
-         RoundSide{hull, rows_at(state.deformation, at(block)), round.radius}, round.half},
+         RoundSide{hull, rows_at(state.deformation, at(block)), shape.round_radius}, half_thickness(system, shape)},
         history, begin, end, reach, near, found);
 }
 
@@ -77,17 +75,17 @@ void find_in_ground_pair(const BlockSystem& system, const BlockState& state, con
 bool find_in_round_pair(const BlockSystem& system, const BlockState& state, const PlacedBlocks& placed,
                         const contact::PartPair& pair, const BlockContactHistory& history, RowsOfPairs& rows,
                         double reach, std::vector<BlockContact>& found) {
-    const Disc of_a = round_shape(system, pair.a), of_b = round_shape(system, pair.b);
-    if (of_a.radius == 0 && of_b.radius == 0) {
+    const Shape &of_a = system.shape_of(pair.a), &of_b = system.shape_of(pair.b);
+    if (of_a.round_radius == 0 && of_b.round_radius == 0) {
         return false;
     }
-    const RoundSide a{placed.hull(system, state, pair.a), rows_at(state.deformation, at(pair.a)), of_a.radius};
-    const RoundSide b{placed.hull(system, state, pair.b), rows_at(state.deformation, at(pair.b)), of_b.radius};
+    const RoundSide a{placed.hull(system, state, pair.a), rows_at(state.deformation, at(pair.a)), of_a.round_radius};
+    const RoundSide b{placed.hull(system, state, pair.b), rows_at(state.deformation, at(pair.b)), of_b.round_radius};
     const auto middle = find_at_ball(pair, a, b, reach);
     if (!middle) {
         return true;
     }
-    const double half = std::max(of_a.half, of_b.half);
+    const double half = std::max(half_thickness(system, of_a), half_thickness(system, of_b));
     const auto [begin, end] = rows.of(pair);
     for (const bool is_far : {false, true}) {
         if (is_far && half == 0) {

@@ -31,6 +31,7 @@ struct Shape {
     double volume{0};                      ///< V0 [m^3]
     Mat3 second_moment;                    ///< integral of X X^T dV [m^5]
     double circumradius{0};                ///< [m]
+    double round_radius{0};                ///< of the ball or disc that it stands for; 0 = none [m]
     double size{0};                        ///< cube root of the volume [m]
     Vec3 plane_normal{};                   ///< of a half-space { x : normal . x <= offset }
     double plane_offset{0};                ///< [m]

@@ -65,6 +65,7 @@ Shape shape_of_body(const SolidScene& scene, std::int32_t b) {
         return half_space_shape(normal, view.offset[0] + dot(normal, part.local.position));
     }
     Shape shape = convex_shape(geometry::moved(scene.shapes.polyhedron(part.shape), part.local));
+    shape.round_radius = scene.shapes.view(part.shape).round_radius;
     if (scene.bodies.is_planar) {
         // Lengths of the method follow the section, whatever its scale, not the metre by which it is thick.
         shape.size = std::sqrt(shape.volume);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "riprap/core/index.hpp"
 
@@ -14,7 +13,6 @@ using contact::PlacedHull;
 
 namespace {
 
-constexpr std::size_t corners_of_a_ball = 162, corners_of_a_disc = 128;
 /// Names the only contact point of a ball with a body, and the first of the two of a disc.
 constexpr std::uint64_t ball_feature = std::uint64_t{4} << 60U;
 
@@ -81,28 +79,6 @@ Nearest nearest_on_hull(const PlacedHull& hull, const Vec3& x) {
 Vec3 farthest_along(const RoundSide& ball, const Vec3& n) {
     const Vec3 back = transpose_times(ball.deformation, n);
     return (ball.ball_radius / norm(back)) * (ball.deformation * back);
-}
-
-double ball_radius(const Shape& shape) {
-    if (shape.vertices.size() != corners_of_a_ball) {
-        return 0;
-    }
-    const double radius = norm(shape.vertices[0]);
-    const bool is_round = std::ranges::all_of(
-        shape.vertices, [radius](const Vec3& x) { return std::abs(norm(x) - radius) < 1e-6 * radius; });
-    return is_round ? std::cbrt(0.75 * std::numbers::inv_pi * shape.volume) : 0;
-}
-
-Disc disc_of(const Shape& shape) {
-    if (shape.vertices.size() != corners_of_a_disc) {
-        return {};
-    }
-    const auto across = [](const Vec3& x) { return std::hypot(x.x, x.y); };
-    const double radius = across(shape.vertices[0]), half = std::abs(shape.vertices[0].z);
-    const bool is_round = std::ranges::all_of(shape.vertices, [&](const Vec3& x) {
-        return std::abs(across(x) - radius) < 1e-6 * radius && std::abs(std::abs(x.z) - half) < 1e-6 * half;
-    });
-    return is_round ? Disc{std::sqrt(0.5 * std::numbers::inv_pi * shape.volume / half), half} : Disc{};
 }
 
 std::optional<BlockContact> find_at_ball(const contact::PartPair& pair, const RoundSide& a, const RoundSide& b,

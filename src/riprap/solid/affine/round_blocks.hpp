@@ -13,16 +13,6 @@
 
 namespace riprap::solid::affine {
 
-/// Radius of the sphere that a shape stands for, of the same volume; 0 = it stands for none [m].
-double ball_radius(const Shape& shape);
-
-/// A disc in the x-y plane that a prism stands for.
-struct Disc {
-    double radius{0};  ///< of the same area; 0 = the shape stands for none [m]
-    double half{0};    ///< half of its thickness [m]
-};
-Disc disc_of(const Shape& shape);
-
 /// One side of a pair: a ball, a disc of a planar scene, or a convex body or half-space.
 struct RoundSide {
     contact::PlacedHull hull;

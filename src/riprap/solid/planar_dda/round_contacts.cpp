@@ -105,10 +105,10 @@ class Outline {
 };
 
 /// A corner of another block continues the face that the disc touches, or lies below it.
-bool is_hidden_by(const Scene& scene, std::int32_t corner, std::int32_t face, double overlap) {
+bool is_hidden_by(const Scene& scene, std::int32_t disc, std::int32_t corner, std::int32_t face, double overlap) {
     const Model& model = scene.model;
     const double breadth =
-        std::min(model.width[at(model.corner_block[at(corner)])], model.width[at(model.corner_block[at(face)])]);
+        std::min(model.width[at(model.corner_block[at(disc)])], model.width[at(model.corner_block[at(corner)])]);
     const GapAndFoot g = gap_and_foot(scene, corner, face);
     return g.gap <= overlap && beyond_ends(g) <= joint_share * breadth;
 }
@@ -134,13 +134,10 @@ void drop_hidden(const Scene& scene, std::vector<std::uint64_t>& of_disc) {
         return !is_round(scene.model, edge) && is_corner(touch_of(scene, disc_of(key), edge)) &&
                std::any_of(faces.begin(), faces.end(), [&](const Face& face) {
                    return scene.model.corner_block[at(face.edge)] != block &&
-                          is_hidden_by(scene, edge, face.edge, face.overlap);
+                          is_hidden_by(scene, disc_of(key), edge, face.edge, face.overlap);
                });
     });
 }
-
-/// Place and direction of a contact.
-double distance_between(const RoundTouch& one, const RoundTouch& other) { return norm(one.other - other.other); }
 
 /// The contact of the state that the disc has left for this one, -1 where there is none: of those that are not found
 /// any more, each goes to the nearest new one with the same normal.
@@ -164,9 +161,9 @@ std::int64_t left_for(const Scene& scene, const ContactSearch& search, std::int3
         for (auto key = new_begin; key < new_end; ++key) {
             const auto candidate = static_cast<std::int32_t>(*key & 0xffffffffU);
             const RoundTouch now = touch_of(scene, disc, candidate);
-            if (scene.remembered(disc, candidate) < 0 && distance_between(before, now) < least &&
+            if (scene.remembered(disc, candidate) < 0 && norm(before.other - now.other) < least &&
                 dot(before.normal, now.normal) > std::cos(scene.settings.angle_tolerance)) {
-                least = distance_between(before, now);
+                least = norm(before.other - now.other);
                 nearest = candidate;
             }
         }
