@@ -11,8 +11,8 @@ namespace riprap::scene {
 /// @param tolerance  how far outside it may be, over the circumradius of a part [-]
 bool is_in(const sim::Model& model, BodyId body, const Vec3& point, double tolerance = 1e-6);
 
-/// Names the bodies that a point of the world lies in at the start: the blocks of a section have no other way to be told
-/// apart. Empty: none.
+/// Names the bodies that a point of the world lies in at the start: the blocks of a section have no other way to be
+/// told apart. Empty: none.
 std::string holders_of(const CaseBuild& build, const Vec3& x);
 
 }  // namespace riprap::scene
