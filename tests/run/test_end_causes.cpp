@@ -176,6 +176,14 @@ std::vector<Ending> endings() {
          gravity + "end = 1\n" + solids("sphere_dem", "youngs_modulus = 1e3") + rock("1e7") + ground +
              body("ball", "sphere = 0.1", "position = [0, 0, 0.5]"),
          "solid.youngs_modulus = "},
+        {"deep_spheres", "a plate that jumps by its table",
+         plane + "end = 0.12\n" + solids("sphere_dem", "") + rock("1e7") +
+             body("floor", "box = [6, 0.5]", "position = [0, -0.25]\nfixed = true") +
+             body("plate", "box = [0.2, 0.4]",
+                  "position = [-0.5, 0.21]\n"
+                  "motion = { table = { time = [0, 0.1, 0.1001], displacement = [[0, 0], [0, 0], [0.3, 0]] } }") +
+             body("cube", "box = [0.3, 0.4]", "position = [0, 0.2]"),
+         "body.plate.motion.stop = "},
         {"deep_spheres", "a ball on a linear spring",
          gravity + "end = 1\n" + solids("sphere_dem", "normal_law = 'linear'\nspring_stiffness = 100") + rock("1e7") +
              ground + body("ball", "sphere = 0.1", "position = [0, 0, 0.5]"),
@@ -249,6 +257,13 @@ std::vector<Ending> endings() {
              lid("", "box = [0.7, 0.2]")},
         {"drawn_pocket", "a piston that is drawn up in the water of a grid", drawn("box = [1, 0.2]"), "gap",
          drawn("box = [0.7, 0.2]")},
+        {"left_water", "a block that sinks in a domain of the grid without a floor",
+         plane + "end = 1\n" + rock("1e7") + water("grid", half_full, "", "{ low = [0, 0], high = [1, 0.9] }") +
+             body("block", "box = [0.2, 0.15]", "position = [0.5, 0.2]\ndensity = 2500"),
+         "fixed = true",
+         plane + "end = 1\n" + rock("1e7") + water("grid", half_full, "", "{ low = [0, 0], high = [1, 0.9] }") +
+             body("block", "box = [0.2, 0.15]", "position = [0.5, 0.2]\ndensity = 2500") +
+             body("floor", "box = [1, 0.2]", "position = [0.5, -0.1]\nfixed = true")},
         {"through_walls", "a plate that is driven into water of sph between plates",
          plane + "end = 0.1\n" + rock("1e7") + water("sph", half_full, "", wide) + tank(0.02) + ram(6, 0.02),
          "thicker walls",

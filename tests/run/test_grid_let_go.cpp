@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "io/temporary_folder.hpp"
 #include "riprap/run/folder/run_folder.hpp"
 #include "riprap/run/simulate/passage_verdict.hpp"
@@ -130,6 +132,64 @@ TEST(GridLetGo, a_splash_is_counted_and_said_and_the_count_outlives_a_restart) {
                 testing::Contains(HasSubstr(fmt::format("{:.3g} kg/m of water, {:.3g} % of it, left through the top "
                                                         "of the domain, the high side of y, and was let go",
                                                         1000 * books.let_go, 100 * books.let_go / books.ever))));
+}
+
+/// A block in water whose domain has no floor and no walls but its sides, map coordinates added.
+std::string block_in_a_domain(const std::string& block, double x = 0, double y = 0) {
+    return fmt::format(R"(
+dimension = 2
+gravity = [0.0, -9.81]
+end = 1.0
+[material.rock]
+density = 2500.0
+normal_stiffness = 1.0e7
+[fluid]
+method = "grid"
+spacing = 0.05
+domain = {{ low = [{0}, {1}], high = [{2}, {3}] }}
+[[fluid.region]]
+box = {{ low = [{0}, {1}], high = [{2}, {4}] }}
+[[body]]
+name = "block"
+material = "rock"
+shape = {{ box = [0.2, 0.15] }}
+position = [{5}, {6}]
+{7}
+)",
+                       x, y, x + 1, y + 1, y + 0.583, x + 0.513, y + 0.307, block);
+}
+
+// A block sank through the bottom of its domain, to 5.7 m below it, and the run ended well.
+TEST(GridLetGo, ABodyThatLeavesTheWaterThroughASideThatIsAWallForItAloneEndsTheRun) {
+    const auto end_of = [](const std::string& text) {
+        Simulation simulation = simulation_of(text);
+        return walk_to(simulation, 0.9);
+    };
+    const StepOutcome down = end_of(block_in_a_domain("density = 2500.0"));
+    EXPECT_EQ(down.kind, StepOutcome::Kind::refused);
+    EXPECT_THAT(down.why.text, HasSubstr("'block' leaves the water through the low side of y of the domain at t = 0."));
+    EXPECT_THAT(down.why.remedy, HasSubstr("fixed = true"));
+    const StepOutcome aside = end_of(block_in_a_domain("density = 1000.0\nvelocity = [3.0, 0.0]"));
+    EXPECT_THAT(aside.why.text, HasSubstr("'block' leaves the water through the high side of x"));
+    EXPECT_TRUE(end_of(block_in_a_domain("density = 2500.0\nwet = false")).is_accepted());
+    const std::string floor =
+        "[[body]]\nname = \"floor\"\nmaterial = \"rock\"\nfixed = true\n"
+        "shape = { box = [1.0, 0.2] }\nposition = [0.5, -0.1]\n";  // what the remedy asks for
+    EXPECT_TRUE(end_of(block_in_a_domain("density = 2500.0\n" + floor)).is_accepted());
+}
+
+// Nothing here lies on a side of a cell, where the last digit of a place decides in which of two cells it is.
+// At map coordinates rho g.x is 1e8 times the pressure, and its round-off was energy from nothing: the run ended.
+TEST(GridLetGo, ABlockInWaterMovesAtMapCoordinatesAsAtTheOrigin) {
+    const auto moved = [](double x, double y) {
+        Simulation simulation = simulation_of(block_in_a_domain("density = 1500.0", x, y));
+        EXPECT_TRUE(walk_to(simulation, 0.2).is_accepted());
+        return simulation.state().bodies.position[0].y - (y + 0.307);
+    };
+    const double here = moved(0, 0);
+    EXPECT_LT(here, -0.02);
+    EXPECT_NEAR(moved(432150, 5103420), here, 1e-6 * std::abs(here) + 2e-9);
+    EXPECT_NEAR(moved(-432150, -5103420), here, 1e-6 * std::abs(here) + 2e-9);
 }
 
 }  // namespace

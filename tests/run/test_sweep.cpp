@@ -8,6 +8,8 @@
 
 #include "io/temporary_folder.hpp"
 #include "riprap/core/error.hpp"
+#include "riprap/run/folder/run_folder.hpp"
+#include "riprap/run/folder/runs_within.hpp"
 #include "riprap/run/study/sweep.hpp"
 #include "riprap/run/study/sweep_plan.hpp"
 
@@ -108,6 +110,22 @@ TEST(SweepWords, AKeyInAnotherSpellingIsTheSameKey) {
     options.overrides = {};
     options.points = run::grid_of({{"body.0.mass", {"1"}}, {"body.a.mass", {"2"}}});
     EXPECT_THROW(run::refuse_set_and_varied(options), CaseError);
+}
+
+// `riprap resume STUDY` was answered by "start one with `riprap run CASE --out STUDY`".
+TEST(SweepWords, TheFolderOfAStudyNamesTheRunsInIt) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run::runs_within(folder.path()), "");
+    EXPECT_EQ(run::runs_within(folder.path() / "nothing"), "");
+    for (const char* const name : {"run_002", "run_001", "tables"}) {
+        std::filesystem::create_directories(folder.path() / name);
+    }
+    for (const char* const name : {"run_002", "run_001"}) {
+        std::ofstream(folder.path() / name / "run.json") << "{}";
+    }
+    EXPECT_EQ(run::runs_within(folder.path()),
+              "it holds 2 runs; give one of them, such as " + (folder.path() / "run_001").string());
+    EXPECT_THROW(run::load_stored_case(run::RunFolder{folder.path()}), FileError);
 }
 
 TEST(SweepTables, RowsThatAFinishedRunHasLostMakeItUnreadable) {

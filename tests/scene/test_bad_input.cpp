@@ -118,6 +118,39 @@ fixed = "yes"
                             StartsWith("case.toml:10:9: fixed of [[body]]")));
 }
 
+// The name of a body that there is not was answered by the quantity without it: "did you mean 'displacement'?".
+TEST(BadInput, an_expected_answer_of_a_body_that_is_not_there_is_told_the_bodies) {
+    const auto asked = [](const std::string& text, const std::string& quantity) {
+        return problems_of(text + "[[expect]]\nname = \"a\"\nquantity = \"" + quantity +
+                           "\"\nlow = 0\nhigh = 1\ncitation = \"by hand\"\n");
+    };
+    const std::string row = with(minimal_case, "material = \"rock\"\n",
+                                 "material = \"rock\"\nrepeat = { counts = [3, 1, 1], pitch = [2, 2, 2] }\n");
+    EXPECT_THAT(asked(minimal_case, "blok.displacement.x"),
+                ElementsAre(HasSubstr("there is no body 'blok' of 'blok.displacement.x'; did you mean 'block'?")));
+    EXPECT_THAT(asked(minimal_case, "zz.speed"), ElementsAre(HasSubstr("there is no body 'zz' of 'zz.speed'")));
+    EXPECT_THAT(asked(row, "block.displacement.x"),
+                ElementsAre(HasSubstr("there are many bodies 'block' of 'block.displacement.x'; 'block[0]' to "
+                                      "'block[2]'")));
+    EXPECT_THAT(asked(row, "block[3].speed"),
+                ElementsAre(HasSubstr("there is no body 'block[3]' of 'block[3].speed'; 'block[0]' to 'block[2]'")));
+    EXPECT_THAT(asked(minimal_case, "block[0].speed"), ElementsAre(HasSubstr("did you mean 'block'?")));
+    EXPECT_THAT(problems_of(row + "[[output.probe]]\nbody = \"block[3]\"\nquantity = \"speed\"\n"),
+                ElementsAre(HasSubstr("there is no body 'block[3]'; 'block[0]' to 'block[2]'")));
+}
+
+// Without water the mass of water was 0 and met its band, and forces of water had no value after the whole run.
+TEST(BadInput, quantities_of_water_are_refused_in_a_case_without_water) {
+    for (const std::string quantity : {"water_mass", "max_water_speed", "block.fluid_force.x", "block.fluid_torque.z",
+                                       "solver_iterations", "water_momentum.x", "coupling_gap"}) {
+        EXPECT_THAT(problems_of(minimal_case + "[[expect]]\nname = \"a\"\nquantity = \"" + quantity +
+                                "\"\nlow = 0\nhigh = 1\ncitation = \"by hand\"\n"),
+                    ElementsAre(HasSubstr("'" + quantity + "' in a case without water; a [fluid]")));
+    }
+    EXPECT_THAT(problems_of(minimal_case + "[[output.probe]]\nbody = \"block\"\nquantity = \"fluid_force\"\n"),
+                ElementsAre(HasSubstr("'fluid_force' in a case without water")));
+}
+
 TEST(BadInput, names_that_point_nowhere_are_refused) {
     EXPECT_THAT(problems_of(with(minimal_case, "material = \"rock\"", "material = \"rok\"")),
                 ElementsAre("case.toml:8:12: there is no material 'rok'; did you mean 'rock'?"));

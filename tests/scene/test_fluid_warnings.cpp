@@ -55,6 +55,41 @@ TEST(FluidWarnings, a_wave_maker_for_another_depth_than_the_water_before_it) {
                                   HasSubstr("water stands 0.5 m deep before it"))));
 }
 
+// Water pressed a fixed block on a fixed floor down with 707 N/m where it lifts it with 177 N/m: particle methods take
+// both for one solid, the grid and water at rest do not.
+TEST(FluidWarnings, a_load_of_water_that_lacks_the_joint_below_a_body_that_nothing_moves) {
+    const std::string asked = "[[output.probe]]\nbody = \"b\"\nquantity = \"fluid_force\"\n";
+    const std::string base = body("base", "[2.0, 0.2]", "[1.0, -0.1]", "fixed = true");
+    const auto lacks = Contains(AllOf(HasSubstr("'b' touches 'base'"), HasSubstr("lacks its uplift")));
+    const auto block = [](const std::string& more, const std::string& place = "[1.0, 0.125]") {
+        return body("b", "[0.5, 0.25]", place, more);
+    };
+    const std::string whole = test::with(flume, "half_space = { normal = [0.0, 1.0] } }",
+                                         "box = [4.0, 0.2] }\n"
+                                         "position = [1.0, -0.4]");
+    EXPECT_THAT(test::read(whole + base + block("fixed = true") + asked).warnings, lacks);
+    EXPECT_THAT(test::read(whole + base + block("motion = { linear = { velocity = [0.0, 0.1] } }") + asked).warnings,
+                lacks);
+    EXPECT_THAT(test::read(whole + base + block("fixed = true") +
+                           "[[expect]]\nname = \"a\"\nquantity = \"b.fluid_force.y\"\nlow = 0\nhigh = 1\n"
+                           "citation = \"by hand\"\n")
+                    .warnings,
+                lacks);
+    // Nobody asks, it is free or will be, it touches nothing, the water has no such joints or other methods have them.
+    EXPECT_THAT(test::read(whole + base + block("fixed = true")).warnings, Not(lacks));
+    EXPECT_THAT(test::read(whole + base + block("") + asked).warnings, Not(lacks));
+    EXPECT_THAT(test::read(whole + base + block("fixed = true\nrelease_time = 0.5") + asked).warnings, Not(lacks));
+    EXPECT_THAT(test::read(whole + base + block("fixed = true", "[1.0, 0.3]") + asked).warnings, Not(lacks));
+    EXPECT_THAT(test::read(test::with(whole, "spacing = 0.05", "spacing = 0.05\njoint_pressure = false") + base +
+                           block("fixed = true") + asked)
+                    .warnings,
+                Not(lacks));
+    EXPECT_THAT(test::read(test::with(whole, "spacing = 0.05", "spacing = 0.05\nmethod = \"grid\"") + base +
+                           block("fixed = true") + asked)
+                    .warnings,
+                Not(lacks));
+}
+
 TEST(FluidWarnings, a_driven_wall_that_moves_out_of_the_domain_but_not_a_gate_that_is_lifted) {
     const auto moving = [](const std::string& velocity) {
         return test::read(flume + body("wall", "[0.2, 1.0]", "[2.1, 0.5]",

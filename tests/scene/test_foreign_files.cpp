@@ -22,6 +22,45 @@ using testing::StartsWith;
 
 std::string with_shape(const std::string& shape) { return with(minimal_case, "{ box = [1.0, 1.0, 0.5] }", shape); }
 
+/// Problems of a table as a motion or a load of the block, in space or in a plane.
+std::vector<std::string> problems_of_table(const std::string& table, bool is_load, bool is_planar) {
+    const TemporaryFolder folder;
+    folder.write("t.csv", table);
+    const std::string entry =
+        is_load ? "[[body.load]]\ntable = { file = \"t.csv\" }\n" : "motion = { table = { file = \"t.csv\" } }\n";
+    const std::string text = is_planar
+                                 ? "dimension = 2\n" + with(with(minimal_case, "[0.0, 0.0, -9.81]", "[0.0, -9.81]"),
+                                                            "{ box = [1.0, 1.0, 0.5] }", "{ box = [1.0, 1.0] }")
+                                 : minimal_case;
+    return problems_of(text + entry, {}, folder.path());
+}
+
+// A turn beside displacements, a couple beside forces and what leaves a plane were left out without a word.
+TEST(ForeignTables, turns_couples_and_what_leaves_the_plane_are_not_left_out_in_silence) {
+    for (const std::string name : {"theta", "rz", "rot_z [rad]", "roll", "phi [deg]", "yaw", "angle (deg)", "qw"}) {
+        EXPECT_THAT(problems_of_table("t,x,y,z," + name + "\n0,0,0,0,0\n1,0.1,0,0,0.5\n", false, false),
+                    ElementsAre(AllOf(StartsWith("t.csv:3:11: \"0.5\" in the column \"" + name + "\""),
+                                      HasSubstr("motion = { rotation = { ... } }"))))
+            << name;
+        EXPECT_THAT(problems_of_table("t,x,y,z," + name + "\n0,0,0,0,0\n1,0.1,0,0,0.0\n", false, false), IsEmpty());
+    }
+    for (const std::string name : {"M", "Mz [Nm]", "moment", "Torque", "couple z"}) {
+        EXPECT_THAT(problems_of_table("t,Fx,Fy,Fz," + name + "\n0,100,0,0,7\n1,100,0,0,7\n", true, false),
+                    ElementsAre(AllOf(StartsWith("t.csv:2:11: \"7\" in the column"), HasSubstr("two forces"))))
+            << name;
+    }
+    EXPECT_THAT(problems_of_table("t,x,y,rot_z\n0,0,0,0\n1,0.1,0,0.5\n", false, false),
+                ElementsAre(StartsWith("t.csv:1:7: \"rot_z\" heads column 4, where z is read")));
+    EXPECT_THAT(problems_of_table("t,x,y,theta\n0,0,0,0\n1,0.1,0,0.5\n", false, true),
+                ElementsAre(StartsWith("t.csv:3:9: \"0.5\" in the column \"theta\"")));
+    EXPECT_THAT(problems_of_table("t,Fx,Fy,M\n0,100,0,0\n1,100,0,7\n", true, true),
+                ElementsAre(StartsWith("t.csv:3:9: \"7\" in the column \"M\"")));
+    EXPECT_THAT(problems_of_table("t;x;y;z\n0;0;0;0\n1;0,1;0;0,2\n", false, true),
+                ElementsAre(AllOf(StartsWith("t.csv:3:9: \"0,2\" in the column \"z\""), HasSubstr("no z"))));
+    EXPECT_THAT(problems_of_table("t,x,y,z\n0,0,0,0\n1,0.1,0,0\n", false, true), IsEmpty());
+    EXPECT_THAT(problems_of_table("i,t,x,y,z,quality\n1,0,0,0,0,9\n2,1,0.1,0,0,9\n", false, false), IsEmpty());
+}
+
 TEST(ForeignTables, every_reader_takes_a_table_with_and_without_heading) {
     const TemporaryFolder folder;
     const auto motion = [&](const std::string& table) {

@@ -24,8 +24,10 @@
 #include "riprap/scene/text/toml_reader.hpp"
 #include "riprap/scene/warnings/density_warnings.hpp"
 #include "riprap/scene/warnings/distant_bodies.hpp"
+#include "riprap/scene/warnings/fluid_warnings.hpp"
 #include "riprap/scene/warnings/hard_impacts.hpp"
 #include "riprap/scene/warnings/late_starts.hpp"
+#include "riprap/scene/warnings/narrow_gaps.hpp"
 #include "riprap/sim/advance.hpp"
 #include "riprap/sim/time_step.hpp"
 
@@ -119,6 +121,29 @@ void warn_of_hard_impacts(const CaseBuild& build) {
     if (impacts.size() > most) {
         build.warnings.push_back(
             fmt::format("{} more bodies come to something that their contact cannot hold", impacts.size() - most));
+    }
+}
+
+void warn_of_held_joints(CaseBuild& build) {
+    constexpr std::size_t most = 3;
+    const Value* fluid = build.root.find("fluid");
+    const Value* is_wanted = fluid == nullptr ? nullptr : fluid->find("joint_pressure");
+    if (is_wanted != nullptr && !is_wanted->boolean) {
+        return;  // joints are watertight
+    }
+    const std::vector<HeldJoint> joints = find_held_joints(build.model, build.state);
+    const body::BodySet& bodies = build.model.bodies;
+    for (std::size_t i = 0; i < std::min(joints.size(), most); ++i) {
+        const std::string name = bodies.name(joints[i].body);
+        warn_at(build, bodies.name_id[static_cast<std::size_t>(joints[i].body.value)],
+                fmt::format(
+                    "'{}' touches '{}', and no force moves either: there is no water in the joint between them, and "
+                    "the load of the water on '{}' lacks its uplift; fluid.method = \"grid\" and \"hydrostatic\" "
+                    "have it, and so has a body that is free",
+                    name, bodies.name(joints[i].other), name));
+    }
+    if (joints.size() > most) {
+        build.warnings.push_back(fmt::format("{} more bodies lack water in such joints", joints.size() - most));
     }
 }
 
@@ -235,6 +260,7 @@ LoadedCase read_case_text(std::string_view text, const std::string& name, const 
     if (problems.empty()) {
         warn_of_distant_bodies(build);
         warn_of_hard_impacts(build);
+        warn_of_held_joints(build);
     }
     throw_if_any(problems, build.has_all_bodies ? "the time step" : "the bodies of these problems and the time step");
 

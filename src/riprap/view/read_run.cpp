@@ -5,6 +5,7 @@
 
 #include "riprap/run/drive/find_case.hpp"
 #include "riprap/run/folder/run_folder.hpp"
+#include "riprap/run/folder/runs_within.hpp"
 #include "riprap/view/recorded_parts.hpp"
 
 namespace riprap::view {
@@ -64,7 +65,8 @@ std::string advice_for(const fs::path& path) {
                    ? fmt::format("it is a case, and there is a run in '{}'", folder.string())
                    : fmt::format("it is a case; `riprap run {}` runs it into '{}'", path.string(), folder.string());
     }
-    return fmt::format("`riprap run CASE --out {}` makes one", path.string());
+    const std::string within = run::runs_within(path);
+    return within.empty() ? fmt::format("`riprap run CASE --out {}` makes one", path.string()) : within;
 }
 
 }  // namespace

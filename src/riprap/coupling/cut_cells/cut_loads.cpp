@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/coupling/cut_cells/cut_loads.hpp"
 
+#include "riprap/fluid/grid/datum.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/viscous.hpp"
 
@@ -10,7 +11,7 @@ using fluid::grid::at;
 
 namespace {
 
-/// P = p - rho g.x [Pa] and density [kg/m^3] of the water that a facet looks at.
+/// P = p - rho g.(x - datum) [Pa] and density [kg/m^3] of the water that a facet looks at.
 struct Water {
     double pressure{0}, density{0};
 };
@@ -41,7 +42,7 @@ std::vector<GridLoad> cut_loads(const fluid::grid::GridSettings& settings, const
                                 const CutBodies& cut, double time) {
     const fluid::grid::Mesh& mesh = settings.mesh;
     std::vector<GridLoad> loads(bodies.size());
-    const Vec3 g = fluid::grid::body_force(settings, time);
+    const Vec3 g = fluid::grid::body_force(settings, time), datum = fluid::grid::datum_of(mesh);
     const std::vector<Water> joints = water_in_joints(settings, state, cut);
     for (const CutFacet& facet : cut.facets) {
         const bool is_joint = scratch.open.volume[at(facet.cell)] == 0;
@@ -54,7 +55,7 @@ std::vector<GridLoad> cut_loads(const fluid::grid::GridSettings& settings, const
         const double density = settings.has_surface ? water.density : 0;
         GridLoad& load = loads[at(facet.body)];
         for (const Vec3& x : facet.middle) {  // exact where p rises linearly, the moment too
-            const Vec3 force = facet.area * (-(water.pressure + density * dot(g, x)) / 3);
+            const Vec3 force = facet.area * (-(water.pressure + density * dot(g, x - datum)) / 3);
             const Vec3 arm = x - bodies[at(facet.body)].centre;
             load.pressure += force;
             load.torque += cross(arm, force);

@@ -6,6 +6,7 @@
 
 #include "riprap/coupling/cut_cells/cell_sides.hpp"
 #include "riprap/coupling/cut_cells/joint_ways.hpp"
+#include "riprap/fluid/grid/datum.hpp"
 #include "riprap/geometry/polyhedra/clip.hpp"
 #include "riprap/geometry/polyhedra/shapes.hpp"
 
@@ -19,16 +20,15 @@ using fluid::grid::Mesh;
 using geometry::Polyhedron;
 /// Cells around a body in which faces know their distance from it.
 constexpr int margin = 2;
-/// A face of a piece lies on a side of its cell where it is nearer to it than this share of the cell [-].
-constexpr double on_side_tolerance = 1e-9;
 
 /// A piece that is so flat has both of its faces on one side of the cell, where they are told apart no more: a body
 /// that has moved by rounding beyond cells that it fills would seem to end behind itself.
-bool is_flat(const Polyhedron& piece, const Vec3& size, int axes) {
+/// @param round_off  a face of a piece lies on a side of its cell where it is nearer to it than this share of the cell
+bool is_flat(const Polyhedron& piece, const Vec3& size, int axes, double round_off) {
     for (int a = 0; a < axes; ++a) {
         const auto [low, high] = std::minmax_element(piece.vertices.begin(), piece.vertices.end(),
                                                      [a](const Vec3& x, const Vec3& y) { return x[a] < y[a]; });
-        if ((*high)[a] - (*low)[a] < 2 * on_side_tolerance * size[a]) {
+        if ((*high)[a] - (*low)[a] < 2 * round_off * size[a]) {
             return true;
         }
     }
@@ -37,7 +37,7 @@ bool is_flat(const Polyhedron& piece, const Vec3& size, int axes) {
 
 }  // namespace
 
-Cutter::Cutter(const Mesh& mesh) : mesh_(&mesh) {
+Cutter::Cutter(const Mesh& mesh) : mesh_(&mesh), round_off_(fluid::grid::share_of_round_off(mesh)) {
     const auto size = at(mesh.box.size);
     out_.open.has_bodies = true;
     out_.open.volume.assign(size, 1.0);
@@ -126,7 +126,7 @@ void Cutter::cut_cell(const PartPlanes& part, std::int32_t number, const std::ar
             return;
         }
     }
-    if (is_flat(piece, size, mesh_->box.axes)) {
+    if (is_flat(piece, size, mesh_->box.axes, round_off_)) {
         return;
     }
     touched = touched == -1 || touched == number ? number : -2;
@@ -158,7 +158,7 @@ void Cutter::add_face(const Polyhedron& piece, const std::vector<std::int32_t>& 
     };
     for (int a = 0; a < 3; ++a) {
         const double away = (mean[a] - centre[a]) / mesh_->h(a, place[at(a)]);
-        if (std::abs(std::abs(away) - 0.5) >= on_side_tolerance || std::abs(area[a]) <= (1 - 1e-9) * norm(area)) {
+        if (std::abs(std::abs(away) - 0.5) >= round_off_ || std::abs(area[a]) <= (1 - 1e-9) * norm(area)) {
             continue;
         }
         if (a < box.axes) {  // on a side of the cell

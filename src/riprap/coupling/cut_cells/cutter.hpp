@@ -71,6 +71,7 @@ class Cutter {
     void list_near_faces();
 
     const fluid::grid::Mesh* mesh_;
+    double round_off_;  ///< a share of a face or cell below this is none, and one above 1 less this is 1 [-]
     CutBodies out_;
     std::array<std::vector<double>, 3> below_, above_;  ///< closed share of a face, seen from either side
     std::vector<std::int32_t> filled_;                  ///< the first body that fills a cell; -1 none

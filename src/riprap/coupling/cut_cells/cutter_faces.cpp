@@ -14,9 +14,6 @@ namespace {
 using fluid::grid::at;
 using fluid::grid::CellBox;
 
-/// A closed share above 1 less this is 1: slivers of a face that no flow comes through [-].
-constexpr double closed_tolerance = 1e-9;
-
 }  // namespace
 
 bool Cutter::fills(std::int32_t body, std::int64_t cell) const {
@@ -71,7 +68,7 @@ void Cutter::show_faces() {
         const bool is_below = net > 0;
         const int side = 2 * first.axis + (is_below ? 1 : 0);
         const bool is_shown = !first.is_on_rim || (on_sides_[at(first.body)] >> side & 1) != 0;
-        if (std::abs(net) > closed_tolerance * most && is_shown) {
+        if (std::abs(net) > round_off_ * most && is_shown) {
             const std::int64_t stride = mesh_->box.stride[at(first.axis)];
             const std::int64_t cell =
                 is_below != first.is_on_rim ? first.face : first.face - stride;  // inside on a rim
@@ -93,13 +90,13 @@ void Cutter::close_shares() {
         auto& share = out_.open.area[at(a)];
         for (std::size_t f = 0; f < share.size(); ++f) {
             const double open = 1 - std::max(below_[at(a)][f], above_[at(a)][f]);
-            share[f] = open < closed_tolerance ? 0 : std::min(open, 1.0);
+            share[f] = open < round_off_ ? 0 : std::min(open, 1.0);
         }
     }
     find_walls();
     close_splits();
     for (double& v : out_.open.volume) {
-        v = v < closed_tolerance ? 0 : v;
+        v = v < round_off_ ? 0 : v;
     }
     // a cell without room has no equation that would balance what drives a flow through a face of it: bodies pressed
     // on each other fill a cell by more than its volume and leave some of a face open

@@ -72,7 +72,7 @@ bool Cutter::hangs_together(std::span<const PartInCell> parts) const {
         for (const double way : {-1.0, 1.0}) {
             const double closed =
                 way > 0 ? below_[at(a)][at(cell + mesh_->box.stride[at(a)])] : above_[at(a)][at(cell)];
-            if (closed < untouched &&
+            if (closed < round_off_ &&
                 holds_for_all([&](const geometry::Plane& plane) { return way * plane.normal[a] > -untouched; })) {
                 return true;
             }
@@ -156,7 +156,7 @@ bool Cutter::leads_around(const SplitCell& split, std::int32_t component) const 
                 return;
             }
             const auto is_part = [&](const OpenPart& part, bool high) {
-                return part.axis == a && part.is_high == high && part.share > untouched;
+                return part.axis == a && part.is_high == high && part.share > round_off_;
             };
             const SplitCell* other = split_at(cell);
             if (own == nullptr && other == nullptr) {
@@ -189,7 +189,7 @@ void Cutter::find_walls() {
         for (std::size_t c = 1; c < split.volume.size(); ++c) {
             const auto number = static_cast<std::int32_t>(c);
             const bool is_sliver = std::none_of(split.sides.begin(), split.sides.end(), [&](const OpenPart& part) {
-                return part.component == number && part.share > untouched;
+                return part.component == number && part.share > round_off_;
             });
             split.is_closed[c] = is_sliver || leads_around(split, number) ? 0 : 1;
         }
@@ -227,7 +227,7 @@ void Cutter::close_splits() {
         }
         double& open = out_.open.area[at(part.axis)][at(part.face)];
         open = is_counted ? open : open - part.share;
-        open = open < untouched ? 0 : open;
+        open = open < round_off_ ? 0 : open;
     }
 }
 

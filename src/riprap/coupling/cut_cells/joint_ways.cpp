@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/coupling/cut_cells/joint_ways.hpp"
+#include "riprap/fluid/grid/datum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,6 @@ using fluid::grid::Mesh;
 /// A bit for each side of a cell, low and high along x, y and z.
 using Sides = std::uint8_t;
 constexpr Sides all_sides = 0x3f;
-/// A side is filled where this share of it at most is open [-].
-constexpr double filled_tolerance = 1e-9;
 
 /// The cell on a side.
 std::int64_t beyond(const Mesh& mesh, std::int64_t cell, int side) {
@@ -35,9 +34,10 @@ struct Closed {
 
 /// Closed cells with facets, and their sides that bodies fill and facets look at, within 60 degrees.
 std::vector<Closed> cells_of_facets(const Mesh& mesh, const ClosedShares& closed, const CutBodies& cut) {
+    const double round_off = fluid::grid::share_of_round_off(mesh);
     const auto is_filled = [&](std::int64_t cell, int side) {
         const std::size_t a = at(side / 2), face = at(side % 2 == 1 ? beyond(mesh, cell, side) : cell);
-        return std::max(closed.below[a][face], closed.above[a][face]) > 1 - filled_tolerance;
+        return std::max(closed.below[a][face], closed.above[a][face]) > 1 - round_off;
     };
     std::vector<Closed> found;
     for (const CutFacet& facet : cut.facets) {

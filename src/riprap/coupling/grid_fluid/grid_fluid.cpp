@@ -11,6 +11,7 @@
 #include "riprap/coupling/cut_cells/side_facets.hpp"
 #include "riprap/coupling/grid_fluid/carried_water.hpp"
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
+#include "riprap/coupling/grid_fluid/grid_parts.hpp"
 #include "riprap/coupling/grid_fluid/pocket_pressure.hpp"
 #include "riprap/coupling/grid_fluid/sliding_sides.hpp"
 #include "riprap/fluid/grid/boundary.hpp"
@@ -175,8 +176,8 @@ Vec3 lag_of(const GridSettings& settings, const Vec3& momentum, double dt) {
     return settings.outer_corrections > 1 ? Vec3{} : 0.5 * dt * momentum;
 }
 
-/// Energy that comes in through the sides in a step: (P + rho u^2/2) u A dt with P = p - rho g.x of the cell inside
-/// [J].
+/// Energy that comes in through the sides in a step: (P + rho u^2/2) u A dt with P = p - rho g.(x - datum) of the cell
+/// inside [J].
 double energy_through_sides(const GridSettings& settings, const GridState& state, const GridScratch& s, double dt) {
     const auto& box = settings.mesh.box;
     double sum = 0;
@@ -285,6 +286,10 @@ Outcome GridFluid::begin(const TimeSpan& span, const body::Motion& now, const bo
             work_of_half(settings, water, s, scratch_->bodies, scratch_->cut, water.last_step, water.time);
         place_bodies(*scene_, *settings_, scratch_->shapes, middle, 0.5 * span.dt, false, scratch_->bodies);
         scratch_->cut = scratch_->cutter->cut(scratch_->bodies);
+        if (Outcome outcome = leaving_outcome(*scene_, *settings_, *scratch_, *fields_, middle, span.end());
+            !outcome.ok()) {
+            return outcome;
+        }
         set_open_shares(settings, water, s, std::move(scratch_->cut.open));
         note_cut(middle, *fields_);
     }

@@ -5,6 +5,8 @@
 
 #include "riprap/coupling/grid_fluid/carried_water.hpp"
 #include "riprap/coupling/grid_fluid/grid_bodies.hpp"
+#include "riprap/coupling/grid_fluid/grid_parts.hpp"
+#include "riprap/fluid/grid/datum.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 #include "riprap/fluid/grid/read.hpp"
@@ -117,17 +119,28 @@ struct Reader : fluid::WaterReader {
         const auto normal = fluid::grid::surface_normal(around, fraction, around.index(0, 0, 0));
         return fluid::grid::place_plane(normal, water.fraction[at(c)]);
     }
+    /// Before the first step no pressure has been solved for: that of water at rest up to its highest surface.
+    double pressure_at_start(std::int64_t c, const Vec3& x) const {
+        const double weight = fluid::grid::density_of(settings.grid, water.fraction[at(c)]) *
+                              norm(fluid::grid::body_force(settings.grid, water.time));
+        return settings.grid.has_surface ? std::max(0.0, weight * (still_level(settings) - dot(settings.scene.up, x)))
+                                         : 0;
+    }
     /// P of the cell and the weight of water below the place; air counts as air.
     double pressure(const Vec3& x) const override {
         const std::int64_t c = cell_at(x);
         if (!holds(x) || share(c) == 0) {
             return 0;
         }
+        if (water.step == 0) {
+            return pressure_at_start(c, x);
+        }
         if (share(c) == 1 && water.fraction[at(c)] == 1) {
             return read_pressure(settings.grid, water, x);
         }
         const double density = fluid::grid::density_of(settings.grid, water.fraction[at(c)]);
-        return water.pressure[at(c)] + density * dot(fluid::grid::body_force(settings.grid, water.time), x);
+        return water.pressure[at(c)] + density * dot(fluid::grid::body_force(settings.grid, water.time),
+                                                     x - fluid::grid::datum_of(settings.grid.mesh));
     }
     Vec3 velocity(const Vec3& x) const override { return is_wet(x) ? read_velocity(settings.grid, water, x) : Vec3{}; }
     double level(const Vec3& x, const Vec3& up) const override {
@@ -323,8 +336,12 @@ struct Reader : fluid::WaterReader {
             const Vec3 place = foot + (away * settings.spacing) * normal;
             const std::int64_t c = cell_at(place);
             if (holds(place) && share(c) > 0.05) {
+                if (water.step == 0) {
+                    return pressure_at_start(c, foot);
+                }
                 const double density = fluid::grid::density_of(settings.grid, water.fraction[at(c)]);
-                return water.pressure[at(c)] + density * dot(fluid::grid::body_force(settings.grid, water.time), foot);
+                return water.pressure[at(c)] + density * dot(fluid::grid::body_force(settings.grid, water.time),
+                                                             foot - fluid::grid::datum_of(settings.grid.mesh));
             }
         }
         return std::nullopt;

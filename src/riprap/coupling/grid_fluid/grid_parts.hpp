@@ -24,6 +24,12 @@ std::string mass_of(const GridFluidSettings& settings, double volume);
 Outcome pocket_outcome(const FluidScene& scene, const GridFluidSettings& settings, const GridFluid::Scratch& scratch,
                        const fluid::grid::GridState& water, const TimeSpan& span);
 
+/// Ends a run in which the centre of a body that forces move, and that water wets, leaves the domain through a side
+/// that is a wall of the water: no wall holds the body there.
+/// @param middle  motion of the bodies as they are cut out now; `fields` has those of the step before
+Outcome leaving_outcome(const FluidScene& scene, const GridFluidSettings& settings, const GridFluid::Scratch& scratch,
+                        const GridFluidFields& fields, const body::Motion& middle, double time);
+
 /// Ends a run in which water vanishes, or comes from nothing: there is no room left for it, or nothing but water.
 Outcome mass_outcome(const FluidScene& scene, const GridFluidSettings& settings, const GridFluid::Scratch& scratch,
                      const fluid::grid::GridState& water, double time);

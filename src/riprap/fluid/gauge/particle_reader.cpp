@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "riprap/core/selection.hpp"
+#include "riprap/fluid/gauge/box_shares.hpp"
 #include "riprap/fluid/gauge/interpolate.hpp"
 #include "riprap/fluid/particle/state_equation.hpp"
 #include "riprap/fluid/particle/sweep/cell_grid.hpp"
@@ -200,7 +201,29 @@ double ParticleReader::flow(const Vec3& low, const Vec3& high) const {
 }
 
 double ParticleReader::volume(const Vec3& low, const Vec3& high) const {
-    return settings_.particle_mass / settings_.rest_density * static_cast<double>(inside(low, high).size());
+    BoxShares shares(low, high, settings_.spacing, settings_.domain.dimension);
+    const PeriodicImages images(settings_.domain);
+    const auto is_near = [&](std::size_t j) {
+        return std::any_of(images.shifts().begin(), images.shifts().end(),
+                           [&](const Vec3& shift) { return shares.is_near(state_.position[j] + shift); });
+    };
+    const std::vector<std::size_t> near = parallel::select(state_.size(), is_near);
+    for (const std::size_t j : near) {
+        for (const Vec3& shift : images.shifts()) {
+            if (const Vec3 x = state_.position[j] + shift; shares.is_near(x)) {
+                shares.note(x);
+            }
+        }
+    }
+    double sum = 0;
+    for (const std::size_t j : near) {
+        double share = 0;
+        for (const Vec3& shift : images.shifts()) {
+            share += shares.share(state_.position[j] + shift);
+        }
+        sum += std::min(1.0, share);  // a box longer than a period holds it once
+    }
+    return settings_.particle_mass / settings_.rest_density * sum;
 }
 
 std::vector<std::size_t> ParticleReader::inside(const Vec3& low, const Vec3& high) const {

@@ -16,6 +16,7 @@ namespace riprap::fluid {
 /// distances and B a cubic B-spline one spacing wide: it sees spray and voids as a capacitance gauge does. Within two
 /// spacings of a side wall it reads too little. surface, run_up: the fraction sum_j V_j W crosses one half.
 /// flow: sum_j V_j (v_j . n) B(s_j), s_j the distance from the plane, over the particles beside the rectangle.
+/// volume: of a particle on a side of the box the share that lies in it (BoxShares).
 /// centre, mean_velocity: means over the particles, a place as the State has it on a periodic axis.
 ///
 /// Across periodic sides a particle counts where its image lies: the nearest one for sums about a place, all of them

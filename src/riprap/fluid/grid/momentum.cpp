@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "riprap/fluid/grid/boundary.hpp"
+#include "riprap/fluid/grid/datum.hpp"
 #include "riprap/fluid/grid/porous.hpp"
 #include "riprap/fluid/grid/surface.hpp"
 #include "riprap/fluid/grid/transport.hpp"
@@ -13,17 +14,18 @@ namespace riprap::fluid::grid {
 
 namespace {
 
-/// Height of the surface at a face, g.x on it, for the jump of the density there [m^2/s^2].
+/// Height of the surface at a face, g.(x - datum) on it, for the jump of the density there [m^2/s^2].
 double surface_potential(const GridSettings& settings, const GridState& state, const GridScratch& s, const Vec3& g,
                          int a, std::int64_t f, const std::array<int, 3>& place) {
     const Mesh& mesh = settings.mesh;
+    const Vec3 datum = datum_of(mesh);
     const auto on_plane = [&](std::int64_t c, const std::array<int, 3>& p) {
         const CellPlane& plane = s.moved.plane[at(c)];
         const double size = plane.n[0] * plane.n[0] + plane.n[1] * plane.n[1] + plane.n[2] * plane.n[2];
         double potential = 0;
         for (int b = 0; b < 3; ++b) {
             const double offset = size > 0 ? plane.d * plane.n[at(b)] / size : 0;
-            potential += g[b] * (mesh.centre(b, p[at(b)]) + offset * mesh.h(b, p[at(b)]));
+            potential += g[b] * (mesh.centre(b, p[at(b)]) - datum[b] + offset * mesh.h(b, p[at(b)]));
         }
         return potential;
     };
@@ -39,7 +41,7 @@ double surface_potential(const GridSettings& settings, const GridState& state, c
     }
     double potential = 0;
     for (int b = 0; b < 3; ++b) {
-        potential += g[b] * (b == a ? mesh.edge[at(b)][at(place[at(b)])] : mesh.centre(b, place[at(b)]));
+        potential += g[b] * ((b == a ? mesh.edge[at(b)][at(place[at(b)])] : mesh.centre(b, place[at(b)])) - datum[b]);
     }
     return potential;
 }

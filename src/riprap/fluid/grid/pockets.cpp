@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "riprap/fluid/grid/datum.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 
 namespace riprap::fluid::grid {
@@ -140,7 +141,7 @@ void balance_pockets(const std::vector<Pocket>& pockets, GridScratch& s) {
 void level_pockets(const GridSettings& settings, GridState& state, const GridScratch& s,
                    const std::vector<Pocket>& pockets, double time) {
     const Mesh& mesh = settings.mesh;
-    const Vec3 g = body_force(settings, time);
+    const Vec3 g = body_force(settings, time), datum = datum_of(mesh);
     const auto density = [&](std::int64_t c) { return density_of(settings, state.fraction[at(c)]); };
     for (const Pocket& pocket : pockets) {
         double volume = 0, level = 0, mass = 0, weight = 0;
@@ -149,14 +150,15 @@ void level_pockets(const GridSettings& settings, GridState& state, const GridScr
             volume += s.room.capacity[at(c)];
             mass += s.room.capacity[at(c)] * density(c);
             level += s.room.capacity[at(c)] * state.pressure[at(c)];
-            weight += settings.has_surface
-                          ? s.room.capacity[at(c)] * density(c) * dot(g, mesh.centre(place[0], place[1], place[2]))
-                          : 0;
+            weight += settings.has_surface ? s.room.capacity[at(c)] * density(c) *
+                                                 dot(g, mesh.centre(place[0], place[1], place[2]) - datum)
+                                           : 0;
         }
         double outside = 0, room = 0;
         for (const std::int64_t c : pocket.around) {  // p of the water there, less the weight of what the pocket holds
             const std::array<int, 3> place = place_of(mesh.box, c);
-            const double potential = settings.has_surface ? dot(g, mesh.centre(place[0], place[1], place[2])) : 0;
+            const double potential =
+                settings.has_surface ? dot(g, mesh.centre(place[0], place[1], place[2]) - datum) : 0;
             outside += s.room.capacity[at(c)] * (state.pressure[at(c)] + (density(c) - mass / volume) * potential);
             room += s.room.capacity[at(c)];
         }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "riprap/fluid/grid/boundary.hpp"
+#include "riprap/fluid/grid/datum.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/pockets.hpp"
 
@@ -16,7 +17,7 @@ constexpr double first_tolerance = 1e-14;
 /// Tolerance of a pressure whose velocity enters the explicit momentum alone: what it misses is left to the next [-].
 constexpr double rough_tolerance = 1e-2;
 
-/// P = p - rho g.x on an open side, beyond which lies what the ghost cell holds [Pa].
+/// P = p - rho g.(x - datum) on an open side, beyond which lies what the ghost cell holds [Pa].
 double side_pressure(const GridSettings& settings, const GridState& state, int side, std::int64_t ghost,
                      const std::array<int, 3>& place, const Vec3& g) {
     const Mesh& mesh = settings.mesh;
@@ -33,7 +34,7 @@ double side_pressure(const GridSettings& settings, const GridState& state, int s
     }
     const double u = state.velocity[at(a)][at(side % 2 == 1 ? ghost : ghost + mesh.box.stride[at(a)])];
     const double head = s.is_from_rest && comes_in(side, u) ? 0.5 * density * u * u : 0;
-    const double weight = settings.has_surface ? density * dot(g, x) : 0;
+    const double weight = settings.has_surface ? density * dot(g, x - datum_of(mesh)) : 0;
     return s.pressure - head - weight;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "riprap/fluid/grid/datum.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/surface.hpp"
 
@@ -60,7 +61,7 @@ double read_pressure(const GridSettings& settings, const GridState& state, const
         return p;
     }
     const double fraction = interpolated(settings.mesh, state.fraction, place, -1);
-    return p + density_of(settings, fraction) * dot(body_force(settings, state.time), place);
+    return p + density_of(settings, fraction) * dot(body_force(settings, state.time), place - datum_of(settings.mesh));
 }
 
 Vec3 read_velocity(const GridSettings& settings, const GridState& state, const Vec3& place) {
@@ -93,6 +94,7 @@ Vec3 moment_of_water(const GridSettings& settings, const GridState& state, std::
 
 Energy read_energy(const GridSettings& settings, const GridState& state, const GridScratch& scratch) {
     const CellBox& box = settings.mesh.box;
+    const Vec3 datum = datum_of(settings.mesh);
     return sum_cells(box, [&](std::int64_t c, int i, int j, int k) {
         const double mass = scratch.room.capacity[at(c)] * density_of(settings, state.fraction[at(c)]);
         double square = 0;  // by open areas: a jet out of a narrow gap is not the whole cell beyond
@@ -105,7 +107,7 @@ Energy read_energy(const GridSettings& settings, const GridState& state, const G
             square += share * std::pow(u[at(c)], 2) + (1 - share) * std::pow(u[at(high)], 2);
         }
         const double porosity = scratch.medium.has_stones ? scratch.medium.porosity[at(c)] : 1;
-        Vec3 moment = mass * settings.mesh.centre(i, j, k);
+        Vec3 moment = mass * (settings.mesh.centre(i, j, k) - datum);
         if (settings.has_surface && is_mixed(state.fraction[at(c)])) {  // water lies on one side of the cell
             moment += (settings.water.density - settings.air.density) * scratch.room.capacity[at(c)] *
                       moment_of_water(settings, state, c, {i, j, k});

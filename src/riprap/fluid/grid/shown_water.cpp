@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "riprap/fluid/grid/datum.hpp"
 #include "riprap/fluid/grid/momentum.hpp"
 #include "riprap/fluid/grid/surface.hpp"
 
@@ -77,7 +78,7 @@ ShownFluid show_water(const GridSettings& settings, const GridState& state, cons
     shown.spacing = mesh.smallest_width();
     CellPlanes plane;
     reconstruct_surface(mesh, state.fraction, plane);
-    const Vec3 g = body_force(settings, state.time);
+    const Vec3 g = body_force(settings, state.time), datum = datum_of(mesh);
     for (int k = 0; k < box.cells[2]; ++k) {
         for (int j = 0; j < box.cells[1]; ++j) {
             for (int i = 0; i < box.cells[0]; ++i) {
@@ -113,8 +114,8 @@ ShownFluid show_water(const GridSettings& settings, const GridState& state, cons
                 }
                 shown.place.push_back(place);
                 shown.velocity.push_back(velocity);
-                shown.pressure.push_back(static_cast<float>(state.pressure[at(c)] + density_of(settings, fraction) *
-                                                                                        dot(g, mesh.centre(i, j, k))));
+                shown.pressure.push_back(static_cast<float>(
+                    state.pressure[at(c)] + density_of(settings, fraction) * dot(g, mesh.centre(i, j, k) - datum)));
                 shown.id.push_back(static_cast<std::int32_t>(c));
             }
         }

@@ -160,6 +160,7 @@ class TableReader {
             table_.values.push_back(number_of(choice_.take[k]));
             table_.places.push_back(cell.column);
         }
+        check_unread();
         table_.lines.push_back(lines_.number());
         end_.add(cells_.back().text);
         last_column_ = cells_.back().column;
@@ -196,6 +197,18 @@ class TableReader {
                       headings_.wanted());
         }
         return *number;
+    }
+
+    /// Refuses a row with something else than 0 in a column that belongs to what is read and is left out.
+    void check_unread() {
+        for (const std::size_t k : choice_.unread) {
+            if (k < cells_.size() && !cells_[k].text.empty() && number_of(k) != 0) {
+                refuse_at(cells_[k].column,
+                          fmt::format("{} in the column {}, which is not read", quote(cells_[k].text),
+                                      quote(headings_.name_of(k))),
+                          form_.unread.remedy);
+            }
+        }
     }
 
     /// Numbers at the beginning of the row.

@@ -29,6 +29,13 @@ struct ShownUnit {
     std::string name;  ///< of the unit in SI
 };
 
+/// Columns that a reader must not leave out in silence.
+struct UnreadPart {
+    std::function<bool(std::string_view word)>
+        is_named_by{};     ///< a word of their headings, in lower case; may be empty
+    std::string remedy{};  ///< what to write instead
+};
+
 /// Form of the tables that a reader takes.
 struct TableForm {
     std::vector<TableColumn> columns;
@@ -38,6 +45,9 @@ struct TableForm {
     std::function<UnitAnswer(std::size_t column, std::string_view unit)> unit{};
     bool is_list{false};             ///< rows in any order, such as points: a first row may count those that follow
     std::vector<ShownUnit> shown{};  ///< of each column, for text_of(); may be empty
+    /// What belongs to the same thing and is not read, such as turns beside displacements: such a column is left out
+    /// where all its numbers are 0, and the file is refused otherwise.
+    UnreadPart unread{};
 };
 
 }  // namespace riprap::geometry

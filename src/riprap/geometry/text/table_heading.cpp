@@ -147,7 +147,11 @@ void TableHeadings::add(std::string_view text, const std::vector<TableCell>& cel
     }
     Line heading;
     for (const TableCell& cell : cells) {
-        heading.cells.push_back(heading_cell(cell, line));
+        HeadingCell named = heading_cell(cell, line);
+        if (is_unread(named)) {  // "rot_z" is no z
+            named.column = no_column;
+        }
+        heading.cells.push_back(std::move(named));
     }
     heading.has_marks = has_marks_between(cells);
     heading.text = text;
@@ -188,6 +192,9 @@ ColumnChoice TableHeadings::choice_of(const Line& line) const {
     for (std::size_t k = 0; k < line.cells.size(); ++k) {
         const HeadingCell& cell = line.cells[k];
         if (cell.column == no_column) {
+            if (is_unread(cell)) {
+                choice.unread.push_back(k);
+            }
             continue;
         }
         if (choice.take[cell.column] != no_column && !line.is_comment) {
@@ -200,6 +207,19 @@ ColumnChoice TableHeadings::choice_of(const Line& line) const {
     }
     choice.is_named = std::find(choice.take.begin(), choice.take.end(), no_column) == choice.take.end();
     return choice;
+}
+
+bool TableHeadings::is_unread(const HeadingCell& cell) const {
+    const std::vector<std::string> words = words_of(cell.name);
+    return form_.unread.is_named_by && std::any_of(words.begin(), words.end(), form_.unread.is_named_by);
+}
+
+std::string TableHeadings::name_of(std::size_t cell) const {
+    const auto names_it = [&](const Line& line) {
+        return line.is_heading && cell < line.cells.size() && is_unread(line.cells[cell]);
+    };
+    const auto line = std::find_if(lines_.begin(), lines_.end(), names_it);
+    return line != lines_.end() ? line->cells[cell].text : fmt::format("column {}", cell + 1);
 }
 
 /// Refuses a heading that does not name every column and says something else of one of them than its place does.

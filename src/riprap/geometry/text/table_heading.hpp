@@ -13,9 +13,10 @@ namespace riprap::geometry {
 
 /// The cells of a row that are read.
 struct ColumnChoice {
-    std::vector<std::size_t> take;  ///< cell of each wanted column
-    bool is_named{false};           ///< the heading names them
-    std::size_t cell_count{0};      ///< of the heading that names them
+    std::vector<std::size_t> take;      ///< cell of each wanted column
+    bool is_named{false};               ///< the heading names them
+    std::size_t cell_count{0};          ///< of the heading that names them
+    std::vector<std::size_t> unread{};  ///< cells that must be 0, as nothing reads them (TableForm::unread)
 };
 
 /// A cell of a heading: its name in lower case, and its unit.
@@ -40,6 +41,8 @@ class TableHeadings {
 
     std::string names() const;   ///< "t,x,y,z"
     std::string wanted() const;  ///< "rows of 4 numbers: t, x, y, z"
+    /// Heading that names a cell of the rows, as it is written.
+    std::string name_of(std::size_t cell) const;
     std::vector<std::string> take_notes() { return std::move(notes_); }
 
  private:
@@ -60,6 +63,7 @@ class TableHeadings {
     ColumnChoice choice_of(const Line& line) const;
     void check_names(const Line& line) const;
     void check_width(const Line& line, std::size_t cell_count) const;
+    bool is_unread(const HeadingCell& cell) const;
     void check_unit(std::size_t column, const HeadingCell& cell);
     void check_quantity(const Line& line) const;
     void check_title(const Line& line) const;

@@ -12,6 +12,7 @@
 #include "riprap/io/output/output_kinds.hpp"
 #include "riprap/io/own_file.hpp"
 #include "riprap/run/folder/provenance.hpp"
+#include "riprap/run/folder/runs_within.hpp"
 #include "riprap/scene/text/limits.hpp"
 
 namespace riprap::run {
@@ -197,10 +198,10 @@ void store_case(const RunFolder& folder, const scene::LoadedCase& loaded, const 
 
 scene::LoadedCase load_stored_case(const RunFolder& folder) {
     if (!folder.has_run()) {
-        throw FileError("'" + folder.root.string() +
-                        "' holds no run: there is no run.json; start one with "
-                        "`riprap run CASE --out " +
-                        folder.root.string() + "`");
+        const std::string within = runs_within(folder.root);
+        throw FileError(fmt::format(
+            "'{}' holds no run: there is no run.json; {}", folder.root.string(),
+            within.empty() ? fmt::format("start one with `riprap run CASE --out {}`", folder.root.string()) : within));
     }
     std::vector<std::string> overrides;
     try {

@@ -155,8 +155,8 @@ std::string stiffness_advice(const Refused& refused, double allowed_share) {
         return driven.is_valid()
                    ? fmt::format("no stiffness holds '{}' up, which is driven: {} leaves its room to what it presses",
                                  refused.model.bodies.name(driven),
-                                 assignment(fmt::format("body.{}.motion.stop", refused.model.bodies.name(driven)),
-                                            touched_at(refused, rows, driven)))
+                                 assignment_below(fmt::format("body.{}.motion.stop", refused.model.bodies.name(driven)),
+                                                  touched_at(refused, rows, driven)))
                    : "";
     }
     const double thin = std::min(thickness_of(refused.model, contact.a), thickness_of(refused.model, contact.b));

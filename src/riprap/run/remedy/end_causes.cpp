@@ -164,7 +164,8 @@ constexpr std::array causes{
              "the stiffness that carries it", carry_within_max_potential},
     EndCause{"deep_spheres", "of the smaller sphere's radius",
              "Two spheres overlap by more than `solid.max_overlap` allows.",
-             "`solid.youngs_modulus` or `solid.spring_stiffness` that carries it", carry_within_max_overlap},
+             "`solid.youngs_modulus` or `solid.spring_stiffness` that carries it; the `stop` of a motion that presses",
+             carry_within_max_overlap},
     EndCause{"unseen", "could pass unseen",
              "In a `time_step` of the case a body goes farther than it or what it comes to is thick.",
              "a shorter `time_step`", step_that_sees},
@@ -188,6 +189,9 @@ constexpr std::array causes{
              faster_sound},
     EndCause{"lost_water", "has left the domain", "A particle has left `fluid.domain` where nothing holds it.",
              "a wall, an `[[fluid.outflow]]`, or a larger `fluid.domain`", as_the_method_says},
+    EndCause{"left_water", "leaves the water through",
+             "A free body goes through a side of the domain of a grid, which holds the water alone.",
+             "a fixed body along that side, or a larger `fluid.domain`", as_the_method_says},
     EndCause{"splash", "have left through the", "More than a splash has left the domain through its top.",
              "a higher `fluid.domain`", higher_domain},
     EndCause{"unsolved_pressure", "the pressure equation of", "The solver of `mps` stops short of its tolerance.",
@@ -206,8 +210,7 @@ constexpr std::array causes{
              "thicker walls, a smaller `fluid.spacing`, or less force", as_the_method_says},
     EndCause{"made_energy", "the numerics made", "The energy of the water grows out of nothing.",
              "`fluid.sound_speed` where water is pressed together, a smaller `fluid.spacing` where bodies leave a gap "
-             "of one "
-             "row of particles, else a smaller `fluid.courant`",
+             "of one row of particles or shorter steps of a grid did not help, else a smaller `fluid.courant`",
              made_advice},
     EndCause{"ledger", "the energy ledger misses", "The energy of the scene does not add up.",
              "what made it: the stiffness of a contact that is deep, `solid.youngs_modulus` of blocks that are "

@@ -41,8 +41,19 @@ bool is_compressed(const Refused& refused) {
                        [limit = most * water->settings().rest_density](double density) { return density > limit; });
 }
 
+/// True where the water is on a grid whose steps the case has shortened already: what is left then is due to the cells.
+bool has_short_steps_on_grid(const sim::Model& model) {
+    constexpr double shortened = 0.7;
+    const auto* const grid = std::get_if<coupling::GridFluidSettings>(&model.fluid);
+    return grid != nullptr && grid->courant < shortened * coupling::GridFluidSettings{}.courant;
+}
+
 std::string shorter_water_step(const Refused& refused) {
     const double courant = sim::courant(refused.model);
+    if (refused.model.time.is_automatic() && has_short_steps_on_grid(refused.model)) {
+        return fmt::format("{}, as shorter steps did not",
+                           assignment_below("fluid.spacing", 0.5 * sim::fluid_spacing(refused.model)));
+    }
     return !refused.model.time.is_automatic() ? automatic_step(refused.model)
            : courant > 0                      ? assignment_below("fluid.courant", 0.5 * courant)
                                               : shorter_step(refused);

@@ -200,7 +200,7 @@ class Crowd {
              : code == 1 ? "finished, an expected answer was missed"
                          : fmt::format("exit code {}, see {}.log", code, point.name),
              time_left());
-        result_ = result_ == 0 ? code : result_;
+        result_ = std::max(result_, code);  // of the worst, whichever ended first
         ended_(point, code);
     }
 

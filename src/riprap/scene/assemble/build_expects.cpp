@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "riprap/scene/assemble/expect_curves.hpp"
+#include "riprap/scene/case/body_names.hpp"
 #include "riprap/scene/text/suggest.hpp"
 #include "riprap/sim/abilities.hpp"
 #include "riprap/sim/column_group.hpp"
@@ -68,16 +69,49 @@ std::string unknown_of_several(const CaseBuild& build, const std::string& quanti
     return "";
 }
 
+/// Returns the name before a quantity of a body ("blok" of "blok.position.x") where no body has it; empty otherwise,
+/// and for groups.
+std::string unknown_body_of(const CaseBuild& build, const std::string& quantity) {
+    const bool has_component = quantity.size() > 2 && quantity[quantity.size() - 2] == '.';
+    const std::string whole = has_component ? quantity.substr(0, quantity.size() - 2) : quantity;
+    const std::size_t dot = whole.rfind('.');
+    if (dot == std::string::npos || sim::find_quantity(whole.substr(dot + 1), true) == nullptr) {
+        return "";
+    }
+    const std::string body = whole.substr(0, dot);
+    const std::size_t open = body.find('[');
+    const bool is_group =
+        body.find(',') != std::string::npos ||
+        (open != std::string::npos && body.find_first_not_of("0123456789]", open + 1) != std::string::npos);
+    return is_group || sim::find_body(build.model.bodies, body).is_valid() ? "" : body;
+}
+
+/// Tells whether a quantity is one of the water, where the case has none.
+bool lacks_water(const sim::Model& model, const sim::QuantityInfo& info) {
+    const auto begins = [&info](std::string_view word) { return info.name.starts_with(word); };
+    return !model.has_fluid() && (begins("fluid_") || begins("water_") || begins("solver_") ||
+                                  info.name == "max_water_speed" || info.name == "coupling_gap");
+}
+
+/// Lists the quantities that the methods of the case have, of bodies, of the scene or of accounts as `quantity` is.
+std::string other_names(const sim::Model& model, const sim::QuantityInfo& quantity) {
+    const bool is_account = quantity.name.find('.') != std::string_view::npos;
+    std::string names;
+    for (const sim::QuantityInfo& info : sim::quantities()) {
+        const bool is_alike =
+            info.is_of_body == quantity.is_of_body && is_account == (info.name.find('.') != std::string_view::npos);
+        if (is_alike && has_quantity(model, info)) {
+            names += fmt::format("{}'{}'", names.empty() ? "" : ", ", info.name);
+        }
+    }
+    return names;
+}
+
 /// Tells whether `quantity` names one number of the run; adds a problem with the nearest name otherwise.
 bool check_column(CaseBuild& build, const std::string& quantity, const SourcePlace& place) {
     if (const std::optional<sim::ColumnGroup> found = sim::find_columns(build.model, quantity)) {
         const sim::QuantityInfo* info = found->columns.front().quantity;
-        if (info == nullptr || has_quantity(build.model, *info)) {
-            return true;
-        }
-        build.problem(place, fmt::format("the methods of this case do not have '{}'", quantity),
-                      other_names(build.model, *info));
-        return false;
+        return info == nullptr || !refuses_quantity(build, *info, quantity, place);
     }
     if (may_lack_its_subject(build, quantity)) {
         return false;
@@ -98,6 +132,11 @@ bool check_column(CaseBuild& build, const std::string& quantity, const SourcePla
         build.problem(place, fmt::format("there is no body '{}' of '{}'", name, quantity),
                       meant.empty() ? "names of bodies before the bracket, with commas between"
                                     : fmt::format("did you mean '{}'?", meant));
+        return false;
+    }
+    if (const std::string name = unknown_body_of(build, quantity); !name.empty()) {
+        const NameAnswer answer = answer_to_name(build.model.bodies, name);
+        build.problem(place, fmt::format("{} of '{}'", answer.message, quantity), answer.allowed);
         return false;
     }
     const std::string meant = nearest(quantity, known);
@@ -328,17 +367,19 @@ void read_expect(CaseBuild& build, const Value& table) {
 
 }  // namespace
 
-std::string other_names(const sim::Model& model, const sim::QuantityInfo& quantity) {
-    const bool is_account = quantity.name.find('.') != std::string_view::npos;
-    std::string names;
-    for (const sim::QuantityInfo& info : sim::quantities()) {
-        const bool is_alike =
-            info.is_of_body == quantity.is_of_body && is_account == (info.name.find('.') != std::string_view::npos);
-        if (is_alike && has_quantity(model, info)) {
-            names += fmt::format("{}'{}'", names.empty() ? "" : ", ", info.name);
-        }
+bool refuses_quantity(CaseBuild& build, const sim::QuantityInfo& quantity, const std::string& name,
+                      const SourcePlace& place) {
+    if (lacks_water(build.model, quantity)) {
+        build.problem(place, fmt::format("'{}' in a case without water", name),
+                      "a [fluid], or a quantity of the bodies");
+        return true;
     }
-    return names;
+    if (!has_quantity(build.model, quantity)) {
+        build.problem(place, fmt::format("the methods of this case do not have '{}'", name),
+                      other_names(build.model, quantity));
+        return true;
+    }
+    return false;
 }
 
 void build_expects(CaseBuild& build, const Value& list) {

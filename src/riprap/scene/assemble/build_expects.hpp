@@ -11,7 +11,9 @@ namespace riprap::scene {
 /// Reads the expected answers; after probes, gauges and damage, whose columns they may name.
 void build_expects(CaseBuild& build, const Value& list);
 
-/// Lists the quantities that the methods of the case have, of bodies, of the scene or of accounts as `quantity` is.
-std::string other_names(const sim::Model& model, const sim::QuantityInfo& quantity);
+/// Adds a problem where the case has no such quantity: the methods lack it, or there is no water; tells whether it did.
+/// `name` is what the case calls it.
+bool refuses_quantity(CaseBuild& build, const sim::QuantityInfo& quantity, const std::string& name,
+                      const SourcePlace& place);
 
 }  // namespace riprap::scene

@@ -9,6 +9,7 @@
 #include "riprap/io/output/output_kinds.hpp"
 #include "riprap/scene/assemble/build_case.hpp"
 #include "riprap/scene/assemble/build_expects.hpp"
+#include "riprap/scene/assemble/point_in_body.hpp"
 #include "riprap/scene/keys/methods.hpp"
 #include "riprap/scene/text/suggest.hpp"
 
@@ -31,6 +32,15 @@ bool read_point_of_probe(CaseBuild& build, const Value& at, const sim::QuantityI
         return false;
     }
     probe.point = build.point_of(probe.body, to_vector(at));
+    constexpr double beside = 0.02;  // of the size: a disc or ball is judged by the polyhedron that stands for it
+    if (!is_in(build.model, probe.body, *probe.point, beside)) {
+        const std::string holders = holders_of(build, to_vector(at));
+        build.warnings.push_back(to_string(Diagnostic{
+            at.place,
+            fmt::format("the point does not lie in '{}' but in {}: it moves and turns with the body as if it did",
+                        build.model.bodies.name(probe.body), holders.empty() ? "no body" : holders),
+            ""}));
+    }
     return true;
 }
 
@@ -53,10 +63,7 @@ void read_probe(CaseBuild& build, const Value& table) {
         return;
     }
     const sim::QuantityInfo& quantity = *sim::find_quantity(probe.quantity, body != nullptr);
-    if (!has_quantity(build.model, quantity)) {
-        build.problem(get(table, "quantity").place,
-                      fmt::format("the methods of this case do not have '{}'", probe.quantity),
-                      other_names(build.model, quantity));
+    if (refuses_quantity(build, quantity, probe.quantity, get(table, "quantity").place)) {
         return;
     }
     if (const Value* at = table.find("at"); at != nullptr && !read_point_of_probe(build, *at, quantity, probe)) {

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "riprap/core/index.hpp"
-#include "riprap/geometry/polyhedra/convex_query.hpp"
 #include "riprap/scene/assemble/build_case.hpp"
+#include "riprap/scene/assemble/point_in_body.hpp"
 #include "riprap/sim/method_traits.hpp"
 
 namespace riprap::scene {
@@ -17,32 +17,6 @@ namespace {
 /// Do forces move the body, now or later?
 bool follows_forces(const body::BodySet& bodies, BodyId body) {
     return is_free(bodies, body, std::numeric_limits<double>::max());
-}
-
-/// Tells whether a point, in the frame of the body, lies in the body or on its surface.
-bool is_in(const sim::Model& model, BodyId body, const Vec3& point) {
-    const auto b = at(body.value);
-    for (std::int32_t p = model.bodies.part_begin[b]; p < model.bodies.part_begin[b + 1]; ++p) {
-        const body::Part& part = model.bodies.parts[at(p)];
-        const geometry::ConvexView view = model.shapes.view(part.shape);
-        const Vec3 x = rotate_back(part.local.orientation, point - part.local.position);
-        const double size = std::isfinite(view.circumradius) ? view.circumradius : norm(x);
-        if (contains(view, x, 1e-6 * size)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// Names the bodies that a point lies in: the blocks of a section have no other way to be told apart.
-std::string holders_of(const CaseBuild& build, const Vec3& x) {
-    std::string names;
-    for (std::int32_t b = 0; b < build.model.bodies.size(); ++b) {
-        if (is_in(build.model, BodyId{b}, build.point_of(BodyId{b}, x))) {
-            names += fmt::format("{}'{}'", names.empty() ? "" : ", ", build.model.bodies.name(BodyId{b}));
-        }
-    }
-    return names;
 }
 
 /// Reads where a support is tied to its body; false with a problem.

@@ -2,6 +2,7 @@
 // Names of a case, and what they stand for.
 #include <fmt/format.h>
 
+#include "riprap/scene/case/body_names.hpp"
 #include "riprap/scene/case/case_build.hpp"
 #include "riprap/scene/text/suggest.hpp"
 #include "riprap/sim/quantity.hpp"
@@ -24,14 +25,8 @@ void CaseBuild::claim_name(const Value& table) {
 BodyId CaseBuild::body_named(const Value& name) {
     const BodyId body = sim::find_body(model.bodies, name.text);
     if (!body.is_valid() && (!is_claimed(name.text) || problems.empty())) {  // else the body itself has a problem
-        const std::string meant = nearest(name.text, model.bodies.names);
-        const bool is_of_many = meant == name.text;
-        problem(name.place,
-                is_of_many ? fmt::format("there are many bodies '{}'", name.text)
-                           : fmt::format("there is no body '{}'", name.text),
-                meant.empty() ? "a name of [[body]], or NAME[17]"
-                : is_of_many  ? fmt::format("'{}[0]', or another number", meant)
-                              : fmt::format("did you mean '{}'?", meant));
+        const NameAnswer answer = answer_to_name(model.bodies, name.text);
+        problem(name.place, answer.message, answer.allowed);
     }
     return body;
 }

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "riprap/scene/text/limits.hpp"
 #include "riprap/scene/text/number_files.hpp"
 
@@ -27,6 +31,52 @@ bool check_rows(CaseBuild& build, const TimeTable& rows, const SourcePlace& plac
     return true;
 }
 
+template <std::size_t N>
+bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+template <std::size_t N>
+bool begins_with(std::string_view word, const std::array<std::string_view, N>& beginnings) {
+    return std::any_of(beginnings.begin(), beginnings.end(),
+                       [word](std::string_view beginning) { return word.starts_with(beginning); });
+}
+
+/// True for a heading of turns beside displacements: "theta", "rot_z", "roll", quaternions.
+bool names_turn(std::string_view word) {
+    constexpr std::array<std::string_view, 20> words{"rx",  "ry",  "rz", "urx",  "ury",   "urz",  "ur1",
+                                                     "ur2", "ur3", "qw", "qx",   "qy",    "qz",   "q0",
+                                                     "q1",  "q2",  "q3", "turn", "alpha", "omega"};
+    constexpr std::array<std::string_view, 14> beginnings{"rot",     "theta",  "phi",   "psi", "angle",
+                                                          "angular", "roll",   "pitch", "yaw", "tilt",
+                                                          "quat",    "winkel", "dreh",  "neig"};
+    return is_one_of(word, words) || begins_with(word, beginnings);
+}
+
+/// True for a heading of couples beside forces: "M", "Mz", "moment", "torque".
+bool names_couple(std::string_view word) {
+    constexpr std::array<std::string_view, 10> words{"m", "mx", "my", "mz", "m1", "m2", "m3", "mxx", "myy", "mzz"};
+    constexpr std::array<std::string_view, 5> beginnings{"moment", "torque", "torsion", "couple", "drehmoment"};
+    return is_one_of(word, words) || begins_with(word, beginnings);
+}
+
+/// True for the component that leaves the plane.
+bool names_z(std::string_view word) {
+    constexpr std::array<std::string_view, 6> words{"z", "dz", "uz", "heave", "fz", "pz"};
+    return is_one_of(word, words);
+}
+
+geometry::UnreadPart unread_part(bool is_planar, bool is_force) {
+    const auto names_it = [is_planar, is_force](std::string_view word) {
+        return (is_force ? names_couple(word) : names_turn(word)) || (is_planar && names_z(word));
+    };
+    return {names_it,
+            fmt::format("0 there, or no such column: {}{}",
+                        is_force ? "a couple is two forces with points of their own, load = [ { force, at }, ... ]"
+                                 : "a table does not turn a body, motion = { rotation = { ... } } does",
+                        is_planar ? ", and a planar scene has no z" : "")};
+}
+
 /// Columns t, x, y, z of displacements or forces, in a plane without z.
 geometry::TableForm form_of_vectors(bool is_planar, bool is_force) {
     const Dimension& kind = is_force ? dimension::force : dimension::length;
@@ -45,7 +95,9 @@ geometry::TableForm form_of_vectors(bool is_planar, bool is_force) {
     if (is_planar) {
         columns.pop_back();
     }
-    return form_of(std::move(columns), limits::table_rows);
+    geometry::TableForm form = form_of(std::move(columns), limits::table_rows);
+    form.unread = unread_part(is_planar, is_force);
+    return form;
 }
 
 }  // namespace

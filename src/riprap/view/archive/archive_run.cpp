@@ -15,6 +15,7 @@
 #include "riprap/run/again/file_hash.hpp"
 #include "riprap/run/folder/provenance.hpp"
 #include "riprap/run/folder/run_folder.hpp"
+#include "riprap/run/folder/runs_within.hpp"
 #include "riprap/view/bad_request.hpp"
 #include "riprap/view/page.hpp"
 #include "riprap/view/read_run.hpp"
@@ -168,7 +169,9 @@ fs::path archive_of(const ArchiveOptions& options) {
 Archived archive_run(const ArchiveOptions& options) {
     const run::RunFolder folder{options.folder};
     if (!folder.has_run() || !folder.is_ours()) {
-        throw FileError(fmt::format("'{}' holds no run", options.folder.string()));
+        const std::string within = run::runs_within(options.folder);
+        throw FileError(
+            fmt::format("'{}' holds no run{}{}", options.folder.string(), within.empty() ? "" : "; ", within));
     }
     if (run::is_held(folder)) {
         throw FileError(fmt::format("a run goes on in '{}': pack it once it has ended", options.folder.string()));
