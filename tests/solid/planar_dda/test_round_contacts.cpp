@@ -105,6 +105,20 @@ TEST(RoundContacts, ADiscRollsDownASlope) {
     }
 }
 
+TEST(RoundContacts, ADiscThatSlidRollsWithTwoThirdsOfItsSpeedWhateverItsDashpots) {
+    for (const double turn : turns) {
+        for (const double ratio : {0.0, 0.2}) {
+            Turned blocks(turn, {.friction = 0.5, .damping_ratio = ratio});
+            blocks.box({-2, -1}, {5, 1});
+            const std::int32_t disc = blocks.disc(0.2, {-1, 0.2}, {2, 0});
+            const double start = energies_of(blocks.model, blocks.state).total();
+            blocks.run_to(0.6, 1e-3, {0, -g});
+            EXPECT_NEAR(blocks.velocity(disc).x / (4.0 / 3), 1, 2e-3) << ratio;
+            EXPECT_NEAR(blocks.imbalance() / start, 1, 1e-7);
+        }
+    }
+}
+
 TEST(RoundContacts, ADiscSlidesWhereFrictionIsLessThanAThirdOfTheSlope) {
     const double angle = 20 * degree, limit = std::tan(angle) / 3;
     for (const double turn : turns) {
