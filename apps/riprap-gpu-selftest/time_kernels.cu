@@ -80,7 +80,7 @@ void time_water(int count, double bandwidth) {
     }
     time_sum("sums of density", Continuity{kernel, {0, 0, -9810}, 1e-8}, reach, five, lists.fluid_fluid, bandwidth);
     using Law = ArtificialViscosity::Pair;
-    time_sum("sums of forces", Momentum<WendlandC2, Law>{kernel, {1, 1e-6}}, reach, twelve, lists.fluid_fluid,
+    time_sum("sums of forces", Momentum<WendlandC2, Law>{kernel, {1, 1e-6, 1, 0}}, reach, twelve, lists.fluid_fluid,
              bandwidth);
     const auto scheme = make_device_scheme(settings);
     const double step = seconds_of([&] { tank.step(*scheme); });

@@ -241,12 +241,15 @@ TEST(ExpectWords, GroupsOfWhatIsNotThereAreToldWithTheirPlace) {
     const std::string band = "low = 0.0\nhigh = 9.0\n";
     for (const std::string quantity :
          {"heap[mean].position.x", "row[median].position.x", "row[mean].colour", "row,row[sum].position.x", "row[mean]",
-          "row[sum", "row]sum[.position.x", "row[above].position.x", "row[above high].position.x",
-          "row[above 1 m].position.x", "row[sum 1].position.x", "row[front 2].position.x", "row[front 2 0].position.x",
+          "row[sum", "row[above].position.x", "row[above high].position.x", "row[above 1 m].position.x",
+          "row[sum 1].position.x", "row[front 2].position.x", "row[front 2 0].position.x",
           "row[front 2 1 1].position.x"}) {
         EXPECT_THAT(problem_of(row + expect("a", "quantity = '" + quantity + "'\n" + band)),
                     HasSubstr("case.toml:27:12: there is no quantity '" + quantity + "'"));
     }
+    EXPECT_THAT(
+        problem_of(row + expect("a", "quantity = 'row]sum[.position.x'\n" + band)),
+        HasSubstr("case.toml:27:12: there is no body 'row]sum[' of 'row]sum[.position.x'; did you mean 'row'?"));
     EXPECT_THAT(problem_of(row + expect("a", "quantity = 'row,heap[mean].position.x'\n" + band)),
                 HasSubstr("case.toml:27:12: there is no body 'heap' of 'row,heap[mean].position.x'"));
     EXPECT_THAT(problem_of(row + expect("a", "quantity = 'row[mean].stress_xx'\n" + band)),

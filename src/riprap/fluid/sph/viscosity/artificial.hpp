@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string_view>
+#include <type_traits>
 
+#include "riprap/fluid/particle/kernel.hpp"
 #include "riprap/fluid/particle/particle_settings.hpp"
 #include "riprap/fluid/particle/sweep/math.hpp"
 
@@ -58,8 +60,8 @@ struct ArtificialViscosity {
     template <class Kernel>
     Pair pair(const ParticleSettings& s, const Kernel& /*kernel*/) const {
         const double h = s.smoothing_length();
-        return {alpha * h * s.sound_speed * s.rest_density, 0.01 * h * h, spares_smooth ? 0.0 : 1.0,
-                spares_smooth ? 0.5 : 0.0};
+        const bool spares = spares_smooth && std::is_same_v<Kernel, WendlandC2>;  // R is that of delta_sph
+        return {alpha * h * s.sound_speed * s.rest_density, 0.01 * h * h, spares ? 0.0 : 1.0, spares ? 0.5 : 0.0};
     }
 };
 
