@@ -177,8 +177,8 @@ double CutCells::below_surface(std::int64_t i, std::int64_t j, std::int64_t k) c
     return share > 0 && find(i, j, k) == nullptr && is_open(i, j, k) ? share : 0;
 }
 
-/// How far the air of a cell stands below it, so that air begins at the surface beneath [spacings]; 1 in the last layer
-/// of water itself, 0 where that is whole, and in scenes that faces cut.
+/// Finds how far the air of a cell stands below it, so that air begins at the surface beneath [spacings]; 1 in the last
+/// layer of water itself, 0 where that is whole, and in scenes that faces cut.
 double CutCells::sunk(std::int64_t i, std::int64_t j, std::int64_t k) const {
     const auto layers = static_cast<std::int64_t>(std::ceil(3 * settings_->support_radius() / lattice_.spacing)) + 5;
     const std::array<std::int64_t, 3> down{std::lround(-up_.x), std::lround(-up_.y), std::lround(-up_.z)};

@@ -35,8 +35,8 @@ struct Packed {
 /// particles at rest, in every scheme. Boundary particles count with their volumes and stay. So does the air beside the
 /// water (Filling::air), but for what is near both water and such a face, which moves like water: the surface stays
 /// where it is. Of a tank that the lattice fits but for its depth the last layer is packed so, under air that stays.
-/// What comes nearer to a face than `fill` allows is put back to that distance in each sweep, and what is out of its
-/// region in the end to the side where it left: openings are at the edges of regions.
+/// Puts back to that distance, in each sweep, what comes nearer to a face than `fill` allows, and in the end what is
+/// out of its region to the side where it left: openings are at the edges of regions.
 ///
 /// Differs from the source: the lattice stays where it fits, and moves keep a share of the last one in place of a drag.
 Packed pack(const geometry::ShapeSet& shapes, const body::BodySet& bodies, const body::BodyState& initial,

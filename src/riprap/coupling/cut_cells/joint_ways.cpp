@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "riprap/coupling/cut_cells/joint_ways.hpp"
-#include "riprap/fluid/grid/datum.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
+
+#include "riprap/fluid/grid/datum.hpp"
 
 namespace riprap::coupling {
 

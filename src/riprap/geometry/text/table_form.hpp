@@ -45,8 +45,8 @@ struct TableForm {
     std::function<UnitAnswer(std::size_t column, std::string_view unit)> unit{};
     bool is_list{false};             ///< rows in any order, such as points: a first row may count those that follow
     std::vector<ShownUnit> shown{};  ///< of each column, for text_of(); may be empty
-    /// What belongs to the same thing and is not read, such as turns beside displacements: such a column is left out
-    /// where all its numbers are 0, and the file is refused otherwise.
+    /// Names columns that belong to the same thing and are not read, such as turns beside displacements: one is left
+    /// out where all its numbers are 0, and the file is refused otherwise.
     UnreadPart unread{};
 };
 

@@ -16,8 +16,8 @@ struct Stand {
     double share() const;
 };
 
-/// How long the rest of a run takes, by what the last twentieth to tenth of its simulated time took: water that breaks
-/// and piles that fall apart change both the cost of a step and its length.
+/// Predicts how long the rest of a run takes, from what the last twentieth to tenth of its simulated time took: water
+/// that breaks and piles that fall apart change both the cost of a step and its length.
 class Pace {
  public:
     explicit Pace(const Stand& first) : first_(first), before_{first.time, 0}, last_{first.time, 0} {}

@@ -9,7 +9,7 @@
 
 namespace riprap::run {
 
-/// What a step costs is told per one of these.
+/// Names what the cost of a step is divided by.
 struct CostUnit {
     std::string name;       ///< "particle", "body"; empty = the whole step
     std::int64_t count{1};  ///< of them

@@ -30,7 +30,7 @@ double largest_size(const sim::Model& model, const std::vector<std::int32_t>& bo
 /// else at the end of the case, which so is the time that bodies and water have to come to rest at full strength.
 TrialTimes usual_times(const sim::Model& model, double size);
 
-/// What all trials set of the case: times, frames to judge by, no expected answers. @param reduces  empty: all
+/// Lists what all trials set of the case: times, frames to judge by, no expected answers. @param reduces  empty: all
 std::vector<std::string> settings_of_trials(const TrialTimes& times, const std::vector<std::string>& reduces);
 
 /// One trial, in a folder "F_1.25000". @param initial  by which strengths are divided at the start
